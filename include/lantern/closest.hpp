@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The closest hit of a ray with many surfaces, through any acceleration structure, or through none.
+
+#include <lantern/interval.hpp>
+#include <lantern/ray.hpp>
+#include <lantern/surface.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <ranges>
+
+namespace lantern {
+
+/// Counts what a traversal does. Handed in by whoever asks; there are no global counters.
+struct probe {
+    std::uint64_t nodes = 0;   ///< nodes, cells or volumes looked at
+    std::uint64_t offers = 0;  ///< surfaces handed back to be intersected
+    constexpr void node() { ++nodes; }
+    constexpr void offer() { ++offers; }
+};
+
+/// The probe of those who do not ask: it compiles to nothing.
+struct no_probe {
+    constexpr void node() const {}
+    constexpr void offer() const {}
+};
+
+/// An acceleration structure stands beside the scene and never sees a surface. It offers indices along a ray and is
+/// handed back what remains of the interval: shorter after a hit, empty when it may stop. It must offer every surface
+/// that the ray meets within what remains, in any order, and it may offer others.
+template <class A, class Ray = ray>
+concept accelerator = requires(const A& a, const Ray& r, interval range, interval (*offer)(std::uint32_t, interval)) {
+    a.traverse(r, range, offer);
+};
+
+/// No structure at all: every index from 0 to count - 1. The oracle that all the others are tested against, and the
+/// right choice for a handful of surfaces or for unbounded ones.
+struct every {
+    std::uint32_t count = 0;
+
+    template <class Offer, class Probe = no_probe>
+    void traverse(const ray&, interval range, Offer&& offer, Probe&& counter = {}) const {
+        for (std::uint32_t i = 0; i < count && !empty(range); ++i) {
+            counter.offer();
+            range = offer(i, range);
+        }
+    }
+};
+
+/// A hit, and which surface it is on.
+struct nearest : hit {
+    std::uint32_t index = 0;
+};
+
+/// Traverses with a probe where the structure takes one; a structure without gets its offers counted all the same.
+template <class A, class Ray, class Offer, class Probe>
+void traverse(const A& structure, const Ray& r, interval range, Offer&& offer, Probe&& counter) {
+    if constexpr (requires { structure.traverse(r, range, offer, counter); }) {
+        structure.traverse(r, range, offer, counter);
+    } else {
+        structure.traverse(r, range, [&](std::uint32_t i, interval remaining) -> interval {
+            counter.offer();
+            return offer(i, remaining);
+        });
+    }
+}
+
+/// The first hit of the ray within the range. Of two surfaces at the same t the one with the smaller index is taken,
+/// so the answer does not depend on the structure, nor on the order in which it offers.
+template <accelerator A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
+    requires surface<std::ranges::range_value_t<Surfaces>, Ray>
+[[nodiscard]] std::optional<nearest> closest(const A& structure, const Surfaces& surfaces, const Ray& r,
+                                             interval range = {}, Probe&& counter = {}) {
+    std::optional<nearest> best;
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
+        const auto h = intersect(std::ranges::begin(surfaces)[i], r, remaining);
+        if (!h) return remaining;
+        if (!best || h->t < best->t || (h->t == best->t && i < best->index)) best = nearest{*h, i};
+        return {remaining.min, best->t};
+    }, counter);
+    return best;
+}
+
+/// Whether anything at all is hit within the range: the shadow ray's question. Stops at the first hit found.
+template <accelerator A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
+    requires surface<std::ranges::range_value_t<Surfaces>, Ray>
+[[nodiscard]] bool occluded(const A& structure, const Surfaces& surfaces, const Ray& r, interval range,
+                            Probe&& counter = {}) {
+    bool found = false;
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
+        found = found || intersect(std::ranges::begin(surfaces)[i], r, remaining).has_value();
+        return found ? interval{0, 0} : remaining;
+    }, counter);
+    return found;
+}
+
+}  // namespace lantern

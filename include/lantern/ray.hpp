@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A ray, and a ray that knows its time.
+
+#include <glm/vec3.hpp>
+
+namespace lantern {
+
+/// The half-line origin + t * direction, t > 0. The direction need not have unit length: t counts in units of it.
+struct ray {
+    glm::vec3 origin{0};
+    glm::vec3 direction{0, 0, -1};
+};
+
+/// A ray shot at one moment of the exposure: time 0 is the moment the shutter opens, 1 the moment it closes.
+/// Only a camera with a shutter shoots these, and only they can meet a moving surface.
+struct timed_ray : ray {
+    float time = 0;
+};
+
+[[nodiscard]] inline glm::vec3 at(const ray& r, float t) { return r.origin + t * r.direction; }
+
+/// The ray that goes on from a point: a shadow, reflected or refracted ray keeps the time of the ray that caused it.
+[[nodiscard]] inline ray continued(const ray&, glm::vec3 origin, glm::vec3 direction) { return {origin, direction}; }
+[[nodiscard]] inline timed_ray continued(const timed_ray& r, glm::vec3 origin, glm::vec3 direction) {
+    return {{origin, direction}, r.time};
+}
+
+}  // namespace lantern
