@@ -2,14 +2,15 @@
 #pragma once
 // Lights: what arrives at a point when nothing is in the way.
 
+#include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <concepts>
-#include <variant>
 
 namespace lantern {
 
@@ -49,6 +50,19 @@ inline void validate(const point_light& l) {
 [[nodiscard]] inline illumination illuminate(const point_light& l, glm::vec3 point) {
     const glm::dvec3 to_light = glm::dvec3(l.position) - glm::dvec3(point);
     return {l.position, glm::vec3(glm::dvec3(l.intensity) / glm::dot(to_light, to_light))};
+}
+
+/// For lights with area: one of their points stands for the whole light. `area_normal` is the normal there, with the
+/// light's area as its length: irradiance L A cos θ / d², nothing behind. The shadow ray ends just off the light, so
+/// that the light's own surface, where it is part of the scene, does not shade it.
+[[nodiscard]] inline illumination illuminate_from(glm::dvec3 position, glm::dvec3 area_normal, glm::vec3 radiance,
+                                                  glm::vec3 point) {
+    const glm::dvec3 to_point = glm::dvec3(point) - position;
+    const double cosine_area = glm::dot(area_normal, to_point);
+    if (!(cosine_area > 0)) return {glm::vec3(position), glm::vec3(0)};
+    const double d2 = glm::dot(to_point, to_point);
+    const hit here{0, glm::vec3(position), glm::vec3(glm::normalize(area_normal)), 0};
+    return {leave(here, glm::vec3(to_point)), glm::vec3(glm::dvec3(radiance) * (cosine_area / (d2 * std::sqrt(d2))))};
 }
 
 }  // namespace lantern
