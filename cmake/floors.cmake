@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+# The table of contents: every header of the library, by floor. A header includes headers of its own floor or of lower
+# ones, never upward and never in a circle (tests/checks/floors.py). To add a header, add its name here.
+
+set(LANTERN_FLOOR_0
+  alternative
+  hash
+  image
+  interval
+  load
+  ray
+  samples
+  save
+  srgb
+  todo
+  validate
+)
+
+set(LANTERN_FLOOR_1
+  camera
+  ppm
+  surface
+)
+
+set(LANTERN_FLOOR_2
+  blinn_phong
+  bvh
+  closest
+  diffuse
+  emissive
+  glass
+  glossy
+  light
+  material
+  mirror
+  precise
+  rectangle_light
+  sky
+  sphere
+)
+
+set(LANTERN_FLOOR_3
+  direct
+  distribution
+  whitted
+)
+
+# These need stb and belong to lantern::png; everything else needs GLM and threads alone.
+set(LANTERN_STB_HEADERS
+  png
+)

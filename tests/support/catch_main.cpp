@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// The tests' main function. Catch2 3 brings its own.
+
+#if !__has_include(<catch2/catch_all.hpp>)
+#define CATCH_CONFIG_MAIN
+#include <catch2/catch.hpp>
+#endif
