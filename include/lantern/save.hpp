@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Writing a file whole or not at all.
+
+#include <cerrno>
+#include <concepts>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+namespace lantern {
+
+/// Throws std::runtime_error "cannot write WHERE: REASON".
+[[noreturn]] inline void cannot_write(const std::string& where, std::error_code reason) {
+    throw std::runtime_error("cannot write " + where + ": " + reason.message());
+}
+
+/// The system's reason for what failed last in this thread. Streams do not keep it, errno mostly does.
+[[nodiscard]] inline std::error_code last_error() {
+    return errno != 0 ? std::error_code(errno, std::generic_category()) : make_error_code(std::errc::io_error);
+}
+
+/// A file that appears under its name only when it is complete. It is written beside its place, so that the move there
+/// stays within one file system and is atomic; unless committed it leaves nothing behind. Missing folders are created,
+/// a symbolic link stays one, and what is no regular file (a terminal, a pipe, /dev/null) is written to, not replaced.
+class pending_file {
+public:
+    explicit pending_file(std::filesystem::path path) : path_(std::move(path)) {
+        using std::filesystem::file_type;
+        std::error_code reason;
+        const file_type type = status(path_, reason).type();
+        if (type == file_type::directory || (!path_.empty() && !path_.has_filename()))
+            fail(make_error_code(std::errc::is_a_directory));
+        if (type == file_type::regular || type == file_type::not_found || type == file_type::none) {
+            if (type == file_type::regular && is_symlink(path_)) path_ = canonical(path_);
+            create_folder(path_.parent_path());
+            claim_a_name_in(path_.parent_path());
+            open(beside_);
+        } else {
+            open(path_);
+        }
+    }
+    pending_file(const pending_file&) = delete;
+    pending_file& operator=(const pending_file&) = delete;
+    ~pending_file() {
+        if (beside_.empty()) return;
+        out_.close();
+        std::error_code ignored;
+        remove(beside_, ignored);
+    }
+
+    [[nodiscard]] std::ostream& stream() { return out_; }
+
+    void commit() {
+        out_.close();
+        if (!out_) fail(last_error());
+        if (beside_.empty()) return;
+        std::error_code reason;
+        rename(beside_, path_, reason);
+        if (reason) fail(reason);
+        beside_.clear();
+    }
+
+private:
+    std::filesystem::path path_;
+    std::filesystem::path beside_;  // empty when writing to the path itself
+    std::ofstream out_;
+
+    [[noreturn]] void fail(std::error_code reason) const { cannot_write(path_.string(), reason); }
+
+    void create_folder(const std::filesystem::path& folder) const {
+        std::error_code reason;
+        if (!folder.empty() && !is_directory(folder, reason)) {
+            create_directories(folder, reason);
+            if (reason) fail(reason);
+        }
+    }
+
+    // The mode "x" (C11) creates the file and fails when it exists: two programs never share a name.
+    void claim_a_name_in(const std::filesystem::path& folder) {
+        for (int i = 0; i < 1000; ++i) {
+            const auto name = folder / (".lantern-" + std::to_string(i) + ".tmp");
+            errno = 0;
+            if (std::FILE* const file = std::fopen(name.string().c_str(), "wbx")) {
+                std::fclose(file);
+                beside_ = name;
+                return;
+            }
+            if (errno != EEXIST) break;
+        }
+        fail(last_error());
+    }
+
+    void open(const std::filesystem::path& name) {
+        errno = 0;
+        out_.open(name, std::ios::binary);
+        if (!out_) fail(last_error());
+    }
+};
+
+/// Calls write(std::ostream&) and returns its result. Throws std::runtime_error, naming the path and the system's reason,
+/// when anything cannot be written; the path is then as it was before, also when `write` itself throws.
+template <std::invocable<std::ostream&> Write>
+auto save(const std::filesystem::path& path, Write&& write) {
+    pending_file file(path);
+    if constexpr (std::is_void_v<std::invoke_result_t<Write, std::ostream&>>) {
+        write(file.stream());
+        file.commit();
+    } else {
+        const auto result = write(file.stream());
+        file.commit();
+        return result;
+    }
+}
+
+/// Flushes. Throws std::runtime_error when the stream, std::cout for one, is in a failed state.
+inline void require_written(std::ostream& out) {
+    errno = 0;
+    if (!out.flush()) cannot_write("to the stream", last_error());
+}
+
+}  // namespace lantern
