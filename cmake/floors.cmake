@@ -18,6 +18,8 @@ set(LANTERN_FLOOR_0
 
 set(LANTERN_FLOOR_1
   camera
+  pfm
+  png
   ppm
   surface
 )
@@ -42,6 +44,7 @@ set(LANTERN_FLOOR_2
 set(LANTERN_FLOOR_3
   direct
   distribution
+  render
   whitted
 )
 
