@@ -4,6 +4,7 @@
 
 set(LANTERN_FLOOR_0
   alternative
+  halton
   hash
   image
   interval
@@ -11,13 +12,16 @@ set(LANTERN_FLOOR_0
   ray
   samples
   save
+  sobol
   srgb
   todo
   validate
+  warp
 )
 
 set(LANTERN_FLOOR_1
   camera
+  filter
   pfm
   png
   ppm
