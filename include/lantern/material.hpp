@@ -32,6 +32,10 @@ public:
     [[nodiscard]] const bounce* end() const { return rays_.data() + size_; }
     [[nodiscard]] std::uint32_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
+    [[nodiscard]] friend bounces operator*(float factor, bounces rays) {
+        for (bounce& b : rays.rays_) b.weight *= factor;
+        return rays;
+    }
 
 private:
     std::array<bounce, 2> rays_{};
