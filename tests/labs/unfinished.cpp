@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// How Catch2 shows a step that is still to be written.
+
+#include <catch.hpp>
+
+#include <lantern/todo.hpp>
+
+CATCH_TRANSLATE_EXCEPTION(const lantern::unfinished& gap) { return "still to do: " + gap.what(); }

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""The verdict on a lab, step by step."""
+
+import json
+import sys
+import textwrap
+
+import labs
+import process
+import student
+import verdict
+
+SUMMARY = "build and test your answer to a lab, step by step"
+USAGE = "check NN [--solution] [--seconds S] [--json]"
+
+
+def run(arguments: list[str]) -> int:
+    parser = process.arguments(USAGE, SUMMARY)
+    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 03")
+    parser.add_argument("--solution", action="store_true", help="test our header instead of yours")
+    parser.add_argument("--seconds", type=float, help=f"the limit for each step (default: {verdict.SECONDS_PER_STEP:g}, "
+                        "or what LANTERN_STEP_SECONDS says)")
+    parser.add_argument("--json", action="store_true", help='{"lab", "steps": [{"name", "passed"}]}')
+    wish = parser.parse_args(arguments)
+    if wish.seconds is not None and not wish.seconds > 0:
+        raise process.Misuse("--seconds must be more than 0")
+
+    lab = student.lab_named(wish.lab)
+    file = student.require_header(lab, wish.solution)
+    target = lab.name + ("_solution_check" if wish.solution else "_check")
+    tree = student.set_up()
+    built, output = student.build(tree, target)
+    if not built:
+        message = student.explain_build_failure(lab, file, output)
+        if wish.json:
+            print(json.dumps({"lab": lab.number, "steps": [{"name": step, "passed": False} for step in lab.steps], "error": message}))
+        print(message, file=sys.stderr)
+        return 1
+
+    steps = verdict.judge(student.program(tree, target), lab, wish.seconds)
+    passed = all(step.passed for step in steps)
+    if wish.json:
+        print(json.dumps({"lab": lab.number, "steps": [as_json(step) for step in steps]}))
+    else:
+        tell(lab, steps, wish.solution)
+    return 0 if passed else 1
+
+
+def as_json(step: verdict.Step) -> dict:
+    answer = {"name": step.name, "passed": step.passed, "tests": [{"name": test.name, "passed": test.passed} for test in step.tests]}
+    if step.trouble:
+        answer["trouble"] = step.trouble
+    return answer
+
+
+def tell(lab: labs.Lab, steps: list[verdict.Step], solution: bool) -> None:
+    color = Colors(sys.stdout.isatty())
+    print(color.bold(f"Lab {lab.number}: {lab.title}") + (" (the solution)" if solution else ""))
+    for i, step in enumerate(steps, 1):
+        if step.passed:
+            print(color.green(f"  ✓ step {i}  {step.name}"))
+        elif step.gap:
+            print(f"  · step {i}  {step.name}: still to do")
+        else:
+            print(color.red(f"  ✗ step {i}  {step.name}") + ": " + summary(step))
+            for line in details(step):
+                print("      " + line)
+        if step.printed:
+            print("      Your code printed:")
+            print(textwrap.indent("\n".join(step.printed.splitlines()[:8]), "        | "))
+
+    left = [i for i, step in enumerate(steps, 1) if not step.passed]
+    print()
+    if not left:
+        print(color.green("All steps pass.") + f" The picture: ./lab run {lab.number}" + (" --solution" if solution else ""))
+    else:
+        print(f"Next: step {left[0]}, {steps[left[0] - 1].name}. "
+              f"The handout is labs/{lab.folder}/README.md, your file labs/{lab.folder}/{lab.header}")
+
+
+def summary(step: verdict.Step) -> str:
+    if step.trouble:
+        return step.trouble
+    return f"{len(step.failures)} of {len(step.tests)} tests fail"
+
+
+def details(step: verdict.Step) -> list[str]:
+    """What the first failing test says, and the names of the others."""
+    failures = [test for test in step.failures if not test.gap] or step.failures
+    if not failures:
+        return []
+    test, *others = failures
+    lines = [f"“{test.name}”" + (f" does not hold ({test.where})" if test.where else "")]
+    if test.asked:
+        lines.append(f"  asked:   {test.asked}")
+    if test.found and test.found != test.asked:
+        lines.append(f"  found:   {test.found}")
+    if test.thrown:
+        lines.append(f"  instead: {test.thrown}")
+    lines += [f"  with:    {text}" for note in test.notes for text in note.splitlines()]
+    lines += [f"  {word + ':':<8} {test.hint[word]}" for word in ("symptom", "cause", "read") if word in test.hint]
+    lines += [f"“{other.name}” fails too" for other in others[:6]]
+    if len(others) > 6:
+        lines.append(f"... and {len(others) - 6} more")
+    return lines
+
+
+class Colors:
+    def __init__(self, wanted: bool):
+        self.wanted = wanted
+
+    def paint(self, code: str, text: str) -> str:
+        return f"\033[{code}m{text}\033[0m" if self.wanted else text
+
+    def bold(self, text: str) -> str:
+        return self.paint("1", text)
+
+    def green(self, text: str) -> str:
+        return self.paint("32", text)
+
+    def red(self, text: str) -> str:
+        return self.paint("31", text)

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""The labs' starters, made out of the solutions."""
+
+import labs
+import process
+import student
+
+SUMMARY = "write the labs' starters, generated from the solutions"
+USAGE = "starters [NN...] [--check] [--force]"
+
+
+def run(arguments: list[str]) -> int:
+    parser = process.arguments(USAGE, SUMMARY)
+    parser.add_argument("labs", nargs="*", metavar="NN", help="labs' numbers (default: all)")
+    parser.add_argument("--check", action="store_true", help="write nothing; say which are not what the solutions generate")
+    parser.add_argument("--force", action="store_true", help="write over files with uncommitted changes, too")
+    wish = parser.parse_args(arguments)
+
+    kept = 0
+    for lab in [student.lab_named(word) for word in wish.labs] or labs.all_labs():
+        file = lab.student_file
+        shown = file.relative_to(labs.ROOT)
+        made = labs.starter_of(lab.solution_file.read_text(encoding="utf-8"), str(lab.solution_file))
+        if file.exists() and file.read_text(encoding="utf-8") == made:
+            continue
+        if wish.check:
+            print(f"{shown} is not what the solution generates")
+            kept += 1
+        elif file.exists() and not wish.force and labs.differs_from_commit(file):
+            print(f"{shown} has been worked on since the last commit, and stays as it is; --force writes over it")
+            kept += 1
+        else:
+            file.write_text(made, encoding="utf-8")
+            print(f"{shown} written")
+    return 1 if kept else 0

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""What the tools know about a lab: where its files are, how a starter comes out of a solution, what a mutant is."""
+
+import json
+import pathlib
+import re
+import subprocess
+from dataclasses import dataclass, field
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+class Problem(Exception):
+    """Something the user can mend; the message says how. Shown without a traceback."""
+
+
+@dataclass
+class Lab:
+    folder: str  # lab01_picture
+    title: str
+    headers: list[str]
+    steps: list[str]
+    program: list[str] = field(default_factory=list)
+
+    @property
+    def number(self) -> str:
+        return self.folder[3:5]
+
+    @property
+    def name(self) -> str:  # also the namespace of the student's code, and the root of the names of all targets
+        return self.folder[:5]
+
+    @property
+    def header(self) -> str:  # picture.hpp
+        return self.folder[6:] + ".hpp"
+
+    @property
+    def student_file(self) -> pathlib.Path:
+        return ROOT / "labs" / self.folder / self.header
+
+    @property
+    def solution_file(self) -> pathlib.Path:
+        return ROOT / "solutions" / self.folder / self.header
+
+    @property
+    def tests(self) -> pathlib.Path:
+        return ROOT / "tests" / "labs" / self.folder
+
+    def mutants(self) -> list["Mutant"]:
+        return [read_mutant(path) for path in sorted((self.tests / "mutants").glob("*.mutant"))]
+
+
+def all_labs() -> list[Lab]:
+    return [Lab(path.parent.name, **json.loads(path.read_text(encoding="utf-8")))
+            for path in sorted((ROOT / "labs").glob("lab[0-9][0-9]_*/lab.json"))]
+
+
+def find(word: str) -> Lab | None:
+    """The lab that `03`, `3`, `lab03` or `lab03_whitted` names."""
+    return next((lab for lab in all_labs() if word in (lab.number, lab.number.lstrip("0"), lab.name, lab.folder)), None)
+
+
+# ---- Starters ------------------------------------------------------------------------------------------------------
+
+BEGIN, END, STARTER = "// BEGIN SOLUTION", "// END SOLUTION", "// STARTER:"
+
+
+def starter_of(solution: str, name: str = "solution") -> str:
+    """The solution without what stands between BEGIN and END, and with the STARTER lines uncommented."""
+    kept, inside = [], False
+    for number, line in enumerate(solution.splitlines(), 1):
+        mark = line.strip()
+        if mark in (BEGIN, END):
+            if inside == (mark == BEGIN):
+                raise Problem(f"{name}:{number}: {mark} where another stands open, or none")
+            inside = not inside
+        elif mark.startswith(STARTER):
+            if inside:
+                raise Problem(f"{name}:{number}: a STARTER line belongs after END SOLUTION")
+            kept.append((line[:line.index("//")] + mark[len(STARTER):].removeprefix(" ")).rstrip())
+        elif not inside:
+            kept.append(line)
+    if inside:
+        raise Problem(f"{name}: the last region has no {END}")
+    return "\n".join(kept) + "\n"
+
+
+def differs_from_commit(path: pathlib.Path) -> bool:
+    """Whether somebody has worked on the file since the last commit. Without git: yes, to be on the safe side."""
+    try:
+        status = subprocess.run(["git", "status", "--porcelain", "--", str(path)], cwd=ROOT, capture_output=True, text=True)
+    except OSError:
+        return True
+    return status.returncode != 0 or status.stdout.strip() != ""
+
+
+# ---- Mutants -------------------------------------------------------------------------------------------------------
+
+@dataclass
+class Mutant:
+    name: str
+    who: str             # whose real mistake it is
+    caught_by: list[str]  # the tests that must fail
+    edits: list[tuple[str, str]]
+
+
+def read_mutant(path: pathlib.Path) -> Mutant:
+    """
+    who: whose real mistake it is, in a line
+    caught by: the name of a test that must fail (a line for each)
+    --- find
+    text of the solution, once in it
+    --- replace
+    what stands there in the mutant (find and replace may be repeated)
+    """
+    head, *parts = re.split(r"^--- (find|replace)[ \t]*\n", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    keys = [line.split(": ", 1) for line in head.splitlines() if line.strip() and not line.startswith("#")]
+    who = [value for key, value in keys if key == "who"]
+    caught_by = [value.strip() for key, value in keys if key == "caught by"]
+    words, texts = parts[0::2], [text.removesuffix("\n") for text in parts[1::2]]
+    if len(who) != 1 or not caught_by or not words or words != ["find", "replace"] * (len(words) // 2):
+        raise Problem(f"{path}: a mutant has one 'who:', a 'caught by:' for each test, and pairs of '--- find' and '--- replace'")
+    return Mutant(path.stem, who[0], caught_by, list(zip(texts[0::2], texts[1::2])))
+
+
+def mutate(solution: str, mutant: Mutant) -> str:
+    for find_text, replacement in mutant.edits:
+        if solution.count(find_text) != 1:
+            raise Problem(f"mutant {mutant.name}: the text to find stands {solution.count(find_text)} times in the solution:\n{find_text}")
+        solution = solution.replace(find_text, replacement)
+    return solution
+
+
+if __name__ == "__main__":  # the build's way in: labs.py starter SOLUTION OUT, labs.py mutant SOLUTION MUTANT OUT
+    import sys
+    action, solution_path, *rest = sys.argv[1:]
+    try:
+        text = pathlib.Path(solution_path).read_text(encoding="utf-8")
+        out = pathlib.Path(rest[-1])
+        made = starter_of(text, solution_path) if action == "starter" else mutate(text, read_mutant(pathlib.Path(rest[0])))
+        out.parent.mkdir(parents=True, exist_ok=True)
+        out.write_text(made, encoding="utf-8")
+    except Problem as problem:
+        sys.exit(str(problem))

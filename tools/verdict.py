@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""Runs a lab's suite step by step, each step in a process of its own, and says what came of it."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import xml.etree.ElementTree as ET
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+
+from labs import Lab
+
+SECONDS_PER_STEP = 10.0
+
+
+@dataclass
+class Test:
+    name: str
+    passed: bool = False
+    gap: str = ""        # "lab01 step 2: the sRGB curve" when that is still to be written
+    asked: str = ""      # encode(0) == 0
+    found: str = ""      # 0.5f == 0
+    thrown: str = ""     # what an unexpected exception said
+    where: str = ""      # suite.cpp:120
+    notes: list[str] = field(default_factory=list)
+    hint: dict[str, str] = field(default_factory=dict)  # symptom, cause, read
+
+
+@dataclass
+class Step:
+    name: str
+    tests: list[Test] = field(default_factory=list)
+    trouble: str = ""    # the process as a whole went wrong: "did not finish in 10 s"
+    printed: str = ""    # what the student's code wrote
+
+    @property
+    def passed(self) -> bool:
+        return bool(self.tests) and not self.trouble and all(test.passed for test in self.tests)
+
+    @property
+    def failures(self) -> list[Test]:
+        return [test for test in self.tests if not test.passed]
+
+    @property
+    def gap(self) -> str:
+        """What is still to be written, when that is all that is wrong with this step."""
+        failures = self.failures
+        return failures[0].gap if failures and not self.trouble and all(test.gap for test in failures) else ""
+
+
+def judge(program: pathlib.Path, lab: Lab, seconds: float | None = None) -> list[Step]:
+    """One verdict for each step of the lab."""
+    if seconds is None:
+        seconds = float(os.environ.get("LANTERN_STEP_SECONDS", SECONDS_PER_STEP))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda i: run_step(program, i + 1, lab.steps[i], seconds), range(len(lab.steps))))
+
+
+def run_step(program: pathlib.Path, number: int, name: str, seconds: float) -> Step:
+    step = Step(name)
+    with tempfile.TemporaryDirectory(prefix="lantern-") as folder:
+        report = pathlib.Path(folder) / "report.xml"
+        command = [str(program), f"[step{number}]", "--reporter", "xml", "--out", str(report)]
+        with open(pathlib.Path(folder) / "printed", "w+b") as printed:
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.STDOUT,
+                                       cwd=folder, start_new_session=True)
+            try:
+                status = process.wait(seconds)
+            except subprocess.TimeoutExpired:
+                status = None
+            finally:
+                stop(process)
+            printed.seek(0)
+            step.printed = printed.read(4000).decode(errors="replace").strip()
+        step.tests = read_report(report.read_bytes() if report.exists() else b"")
+    if status is None:
+        step.trouble = f"did not finish in {seconds:g} s: an endless loop?"
+    elif status < 0:
+        step.trouble = f"crashed ({signal_name(-status)})"
+    elif not step.tests:
+        step.trouble = "no test was run" + (f" (exit status {status})" if status else "")
+    elif status != 0 and not step.failures:
+        step.trouble = f"ended early (exit status {status})"
+    return step
+
+
+def stop(process: subprocess.Popen) -> None:
+    """The whole process group: student code may have started others."""
+    try:
+        os.killpg(process.pid, 9)
+    except (ProcessLookupError, PermissionError):
+        pass
+    process.wait()
+
+
+def signal_name(number: int) -> str:
+    words = {6: "aborted", 8: "arithmetic error, such as a division of integers by 0",
+             9: "killed, perhaps for want of memory", 11: "memory that is not yours: an index out of range?"}
+    return words.get(number, f"signal {number}")
+
+
+def read_report(report: bytes) -> list[Test]:
+    """Catch2's XML, of version 2 or 3. It may end in the middle, where the program died; the last test then failed."""
+    parser = ET.XMLPullParser(["start", "end"])
+    events = []
+    try:
+        parser.feed(report)
+        for event in parser.read_events():
+            events.append(event)
+        parser.close()
+    except ET.ParseError:
+        pass
+    tests: list[Test] = []
+    for event, node in events:
+        if event == "start" and node.tag == "TestCase":
+            tests.append(Test(node.get("name", "")))
+        elif event == "end" and tests and not tests[-1].passed:
+            note(tests[-1], node)
+    return tests
+
+
+def note(test: Test, node: ET.Element) -> None:
+    """Fills in what an element says about a test; of several failures the first is kept."""
+    text = (node.text or "").strip()
+    first = not (test.asked or test.thrown)
+    if node.tag == "OverallResult":
+        test.passed = node.get("success") == "true"
+    elif not first:
+        return
+    elif node.tag == "Info":
+        if text.startswith("symptom: "):
+            test.hint = dict(line.split(": ", 1) for line in text.splitlines() if ": " in line)
+        elif text not in test.notes:
+            test.notes.append(text)
+    elif node.tag == "Failure":
+        test.asked, test.where = text or "FAIL", place(node)
+    elif node.tag == "Expression" and node.get("success") != "true":
+        thrown = node.find("Exception")
+        if thrown is None:
+            thrown = node.find("FatalErrorCondition")
+        test.asked = (node.findtext("Original") or "").strip()
+        test.where = place(node)
+        if thrown is None:
+            test.found = (node.findtext("Expanded") or "").strip()
+        else:
+            test.thrown = (thrown.text or "").strip()
+    elif node.tag in ("Exception", "FatalErrorCondition"):
+        test.thrown, test.where = text, place(node)
+    if test.thrown.startswith("still to do: "):
+        test.gap = test.thrown.removeprefix("still to do: ")
+
+
+def place(node: ET.Element) -> str:
+    return f"{pathlib.Path(node.get('filename', '?')).name}:{node.get('line', '?')}"
