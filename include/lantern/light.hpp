@@ -2,6 +2,7 @@
 #pragma once
 // Lights: what arrives at a point when nothing is in the way.
 
+#include <lantern/ray.hpp>
 #include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
 
@@ -32,8 +33,14 @@ concept sampled_light = requires(const L& l, glm::vec3 point, glm::vec2 xi) {
     { illuminate(l, point, xi) } -> std::same_as<illumination>;
 };
 
+/// A light that moves asks for the time too, which only a `timed_ray` knows.
+template <class L, class Ray>
+concept moving_light = requires(const L& l, glm::vec3 point, glm::vec2 xi, const Ray& r) {
+    { illuminate(l, point, xi, r.time) } -> std::same_as<illumination>;
+};
+
 template <class L>
-concept light = point_like<L> || sampled_light<L>;
+concept light = point_like<L> || sampled_light<L> || moving_light<L, timed_ray>;
 
 /// A light of no size: `intensity` is power per solid angle, the same in all directions.
 struct point_light {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Distribution ray tracing (Cook, Porter and Carpenter 1984): the basic ray tracer, with every ray drawn from a set.
+
+#include <lantern/alternative.hpp>
+#include <lantern/closest.hpp>
+#include <lantern/direct.hpp>
+#include <lantern/light.hpp>
+#include <lantern/material.hpp>
+#include <lantern/ray.hpp>
+#include <lantern/samples.hpp>
+#include <lantern/sky.hpp>
+#include <lantern/surface.hpp>
+#include <lantern/validate.hpp>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <ranges>
+#include <span>
+#include <type_traits>
+
+namespace lantern {
+
+struct distribution_options {
+    glm::vec3 ambient{0};           ///< light that comes evenly from everywhere, for what shadow rays cannot find
+    std::uint32_t depth = 16;       ///< how many times a ray may be followed on
+    std::uint32_t split_depth = 2;  ///< up to here both rays of glass are followed, deeper one of them, by chance
+};
+
+/// One ray for every sample: its place in the pixel, on the lens and in the exposure are the camera's to draw; at a hit
+/// a point on every light with area is drawn for its shadow ray, and a point of the glossy square for a reflection
+/// that is not sharp. The mean over the samples of a pixel blurs them all at once, at no more rays than antialiasing
+/// takes alone. Lights and materials say by the number of their arguments what they need; what is sharp draws nothing.
+/// It looks at an acceleration structure, things, lights and a background; it owns none, and they must outlive it.
+template <class Accelerator, class Thing, class Light, background Background = darkness>
+class distribution {
+public:
+    distribution(const Accelerator& structure, std::span<const Thing> things, std::span<const Light> lights,
+                 const Background& background = {}, const distribution_options& options = {})
+        : structure_(&structure), things_(things), lights_(lights), background_(background), options_(options) {
+        require_not_negative(options.ambient, "distribution: ambient");
+        for (const Light& l : lights)
+            with_alternative(l, [](const auto& kind) {
+                if constexpr (requires { validate(kind); }) validate(kind);
+            });
+    }
+
+    /// The radiance along the ray: one sample of it. `source` is the sample's numbers.
+    template <std::derived_from<ray> Ray, sample_source Source>
+    [[nodiscard]] glm::vec3 operator()(const Ray& r, const Source& source) const {
+        return radiance_along(r, source, 0);
+    }
+
+private:
+    template <class Ray, class Source>
+    glm::vec3 radiance_along(const Ray& r, const Source& source, std::uint32_t depth) const {
+        const auto h = closest(*structure_, things_, r);
+        const glm::vec3 in = glm::normalize(r.direction);
+        if (!h) return radiance(background_, in);
+        return with_alternative(things_[h->index].material,
+                                [&](const auto& m) { return shade(m, r, in, *h, source, depth); });
+    }
+
+    template <class Material, class Ray, class Source>
+    glm::vec3 shade(const Material& m, const Ray& r, glm::vec3 in, const hit& h, const Source& source,
+                    std::uint32_t depth) const {
+        glm::vec3 sum{0};
+        if constexpr (emits<Material>) sum += emitted(m, in, h);
+        if constexpr (reflects_ambient<Material>) sum += albedo(m, h) * options_.ambient;
+        if constexpr (reflects_light<Material>) {
+            for (std::uint32_t i = 0; i < lights_.size(); ++i) {
+                const illumination light = with_alternative(
+                    lights_[i], [&](const auto& kind) { return illumination_from(kind, i, r, h.point, source); });
+                sum += direct_light(*structure_, things_, r, in, h, m, light);
+            }
+        }
+        if constexpr (goes_on<Material>) {
+            if (depth < options_.depth) sum += carried_on(scattered(m, in, h, source), r, h, source, depth);
+        }
+        return sum;
+    }
+
+    template <class Kind, class Ray, class Source>
+    static illumination illumination_from(const Kind& light, std::uint32_t which, const Ray& r, glm::vec3 point,
+                                          const Source& source) {
+        if constexpr (point_like<Kind>) {
+            return illuminate(light, point);
+        } else if constexpr (sampled_light<Kind>) {
+            return illuminate(light, point, source.draw2(purpose::light, which));
+        } else {
+            static_assert(moving_light<Kind, Ray>, "a moving light needs a camera with a shutter");
+            return illuminate(light, point, source.draw2(purpose::light, which), r.time);
+        }
+    }
+
+    template <class Material>
+    static constexpr bool goes_on =
+        specular<Material> || scatters_by_sample<Material> || scatters_by_two_samples<Material>;
+
+    template <class Material, class Source>
+    static bounces scattered(const Material& m, glm::vec3 in, const hit& h, const Source& source) {
+        if constexpr (specular<Material>) {
+            return scatter(m, in, h);
+        } else if constexpr (scatters_by_sample<Material>) {
+            return scatter(m, in, h, source.draw2(purpose::gloss));
+        } else {
+            return scatter(m, in, h, source.draw2(purpose::gloss, 0), source.draw2(purpose::gloss, 1));
+        }
+    }
+
+    template <class Ray, class Source>
+    glm::vec3 carried_on(const bounces& rays, const Ray& r, const hit& h, const Source& source,
+                         std::uint32_t depth) const {
+        const auto follow = [&](const bounce& b, std::uint32_t k) {
+            const Ray next = continued(r, leave(h, b.direction), b.direction);
+            return b.weight * radiance_along(next, source.branch(k), depth + 1);
+        };
+        if (rays.empty()) return glm::vec3(0);
+        if (rays.size() == 1) return follow(rays.begin()[0], 0);
+        if (depth < options_.split_depth) return follow(rays.begin()[0], 0) + follow(rays.begin()[1], 1);
+        const float first = largest(rays.begin()[0].weight), second = largest(rays.begin()[1].weight);
+        const float chance = first / (first + second);  // two rays are never both black
+        return source.draw1(purpose::branch) < chance ? follow(rays.begin()[0], 0) / chance
+                                                      : follow(rays.begin()[1], 1) / (1 - chance);
+    }
+
+    static float largest(glm::vec3 weight) { return std::max({weight.x, weight.y, weight.z}); }
+
+    const Accelerator* structure_;
+    std::span<const Thing> things_;
+    std::span<const Light> lights_;
+    [[no_unique_address]] Background background_;
+    distribution_options options_;
+};
+
+template <class A, std::ranges::contiguous_range Things, std::ranges::contiguous_range Lights>
+distribution(const A&, const Things&, const Lights&)
+    -> distribution<A, std::ranges::range_value_t<Things>, std::ranges::range_value_t<Lights>>;
+
+template <class A, std::ranges::contiguous_range Things, std::ranges::contiguous_range Lights, background B>
+distribution(const A&, const Things&, const Lights&, const B&, const distribution_options& = {})
+    -> distribution<A, std::ranges::range_value_t<Things>, std::ranges::range_value_t<Lights>, B>;
+
+}  // namespace lantern
