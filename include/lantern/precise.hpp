@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <concepts>
 #include <optional>
 
@@ -34,6 +35,9 @@ struct hit {
 };
 
 [[nodiscard]] inline glm::dvec3 at(const ray& r, double t) { return r.origin + t * r.direction; }
+
+/// |x| + |y| + |z|: the size of a vector for the purposes of an error bound.
+[[nodiscard]] inline double size(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 [[nodiscard]] inline ray widen(const lantern::ray& r) { return {glm::dvec3(r.origin), glm::dvec3(r.direction)}; }
 [[nodiscard]] inline timed_ray widen(const lantern::timed_ray& r) {

@@ -71,8 +71,7 @@ inline void validate(const sphere& s) {
 
     // Measured from the center, or from the ray's origin: whichever rounds less.
     const glm::dvec3 c(s.center), step = t * r.direction;
-    const auto size = [](const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    const double from_center = size(c) + radius, from_origin = size(r.origin) + size(step);
+    const double from_center = precise::size(c) + radius, from_origin = precise::size(r.origin) + precise::size(step);
     const glm::dvec3 point = from_origin < from_center ? r.origin + step : c + radius * normal;
     return precise::hit{t, point, s.radius < 0 ? -normal : normal, 0x1p-50 * std::min(from_center, from_origin)};
 }
@@ -90,7 +89,7 @@ inline void validate(const sphere& s) {
     const double per_a = 1 / a;
     const glm::dvec3 l = f + (b * per_a) * d;  // wrong by at most 2^-50 |f|
     const double gap = rr - glm::dot(l, l);
-    const double size = std::abs(f.x) + std::abs(f.y) + std::abs(f.z);
+    const double size = precise::size(f);
     const double doubt = 0x1p-48 * size * (radius + 0x1p-46 * size);  // bounds the error of gap, whenever |l| < 2 R
     if (gap < -doubt) return std::nullopt;
 
@@ -106,7 +105,7 @@ inline void validate(const sphere& s) {
     if (!enters && !contains(range, t1)) return std::nullopt;
     const double along = (enters ? -root : root) * per_a;
     const glm::dvec3 normal = (l + along * d) / radius;  // of length 1 already, for |l|² + gap = R²
-    const double error = 0x1p-50 * (size + std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + radius);
+    const double error = 0x1p-50 * (size + precise::size(c) + radius);
     return precise::hit{enters ? t0 : t1, c + radius * normal, s.radius < 0 ? -normal : normal, error};
 }
 

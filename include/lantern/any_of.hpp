@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// One of a closed set of surfaces, chosen at run time.
+
+#include <lantern/aabb.hpp>
+#include <lantern/interval.hpp>
+#include <lantern/precise.hpp>
+#include <lantern/ray.hpp>
+#include <lantern/surface.hpp>
+
+#include <concepts>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace lantern {
+
+/// Holds one of its alternatives, by value: no allocation, no virtual call. It is a surface for a kind of ray when every
+/// alternative is, and bounded when every alternative is. `any_of<sphere, plane> s = sphere{};`
+template <class... Surfaces>
+struct any_of {
+    std::variant<Surfaces...> value;
+
+    any_of() = default;
+
+    template <class S>
+        requires(std::same_as<std::remove_cvref_t<S>, Surfaces> || ...)
+    any_of(S&& s) : value(std::forward<S>(s)) {}
+};
+
+template <class... Surfaces, std::derived_from<precise::ray> Ray>
+    requires(precise_surface<Surfaces, Ray> && ...)
+[[nodiscard]] std::optional<precise::hit> intersect(const any_of<Surfaces...>& s, const Ray& r, interval range) {
+    return std::visit([&](const auto& which) { return intersect(which, r, range); }, s.value);
+}
+
+/// For alternatives of which some answer in float only: a user's own.
+template <class... Surfaces, std::derived_from<ray> Ray>
+    requires((surface<Surfaces, Ray> && ...) && !(precise_surface<Surfaces, decltype(precise::widen(Ray{}))> && ...))
+[[nodiscard]] std::optional<hit> intersect(const any_of<Surfaces...>& s, const Ray& r, interval range) {
+    return std::visit([&](const auto& which) { return intersect(which, r, range); }, s.value);
+}
+
+template <bounded... Surfaces>
+[[nodiscard]] aabb bounds(const any_of<Surfaces...>& s) {
+    return std::visit([](const auto& which) { return bounds(which); }, s.value);
+}
+
+template <class... Surfaces>
+void validate(const any_of<Surfaces...>& s) {
+    std::visit(
+        [](const auto& which) {
+            if constexpr (requires { validate(which); }) validate(which);
+        },
+        s.value);
+}
+
+}  // namespace lantern

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A surface that moves along a straight line while the shutter is open.
+
+#include <lantern/aabb.hpp>
+#include <lantern/interval.hpp>
+#include <lantern/precise.hpp>
+#include <lantern/ray.hpp>
+#include <lantern/surface.hpp>
+#include <lantern/validate.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <optional>
+
+namespace lantern {
+
+/// At time t it is where `surface` would be after a translation by t * displacement: at 0 the shutter opens, at 1 it
+/// closes. A surface for timed rays only.
+template <class Surface>
+struct moving {
+    Surface surface;
+    glm::vec3 displacement{0};
+};
+
+template <class Surface>
+moving(Surface, glm::vec3) -> moving<Surface>;
+
+template <class Surface, std::derived_from<precise::timed_ray> Ray>
+    requires precise_surface<Surface, Ray>
+[[nodiscard]] std::optional<precise::hit> intersect(const moving<Surface>& m, const Ray& r, interval range) {
+    const glm::dvec3 shift = r.time * glm::dvec3(m.displacement);
+    Ray local = r;
+    local.origin -= shift;
+    auto h = intersect(m.surface, local, range);
+    if (h) {
+        h->point += shift;
+        h->error += 0x1p-51 * (precise::size(r.origin) + precise::size(shift) + precise::size(h->point));
+    }
+    return h;
+}
+
+/// For surfaces that answer in float only: a user's own.
+template <class Surface, std::derived_from<timed_ray> Ray>
+    requires(surface<Surface, Ray> && !precise_surface<Surface, decltype(precise::widen(Ray{}))>)
+[[nodiscard]] std::optional<hit> intersect(const moving<Surface>& m, const Ray& r, interval range) {
+    const glm::vec3 shift = r.time * m.displacement;
+    Ray local = r;
+    local.origin -= shift;
+    auto h = intersect(m.surface, local, range);
+    if (h) {
+        h->point += shift;
+        h->error += 4 * std::max({ulp(r.origin.x), ulp(r.origin.y), ulp(r.origin.z), ulp(shift.x), ulp(shift.y), ulp(shift.z)});
+    }
+    return h;
+}
+
+/// Over the whole exposure; rounded outwards.
+template <bounded Surface>
+[[nodiscard]] aabb bounds(const moving<Surface>& m) {
+    const aabb open = bounds(m.surface);
+    return enclose(open, moved(open, m.displacement));
+}
+
+template <class Surface>
+void validate(const moving<Surface>& m) {
+    require_finite(m.displacement, "moving: displacement");
+    if constexpr (requires { validate(m.surface); }) validate(m.surface);
+}
+
+}  // namespace lantern

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A shape together with what it is made of.
+
+#include <lantern/aabb.hpp>
+#include <lantern/interval.hpp>
+#include <lantern/precise.hpp>
+#include <lantern/ray.hpp>
+#include <lantern/surface.hpp>
+
+#include <concepts>
+#include <optional>
+
+namespace lantern {
+
+/// A surface wherever its shape is one, bounded when its shape is. The library never looks at the material: that is
+/// between the program and its integrator.
+template <class Shape, class Material>
+struct object {
+    Shape shape;
+    Material material;
+};
+
+template <class Shape, class Material>
+object(Shape, Material) -> object<Shape, Material>;
+
+template <class Shape, class Material, std::derived_from<precise::ray> Ray>
+    requires precise_surface<Shape, Ray>
+[[nodiscard]] std::optional<precise::hit> intersect(const object<Shape, Material>& o, const Ray& r, interval range) {
+    return intersect(o.shape, r, range);
+}
+
+/// For shapes that answer in float only: a user's own.
+template <class Shape, class Material, std::derived_from<ray> Ray>
+    requires(surface<Shape, Ray> && !precise_surface<Shape, decltype(precise::widen(Ray{}))>)
+[[nodiscard]] std::optional<hit> intersect(const object<Shape, Material>& o, const Ray& r, interval range) {
+    return intersect(o.shape, r, range);
+}
+
+template <bounded Shape, class Material>
+[[nodiscard]] aabb bounds(const object<Shape, Material>& o) {
+    return bounds(o.shape);
+}
+
+template <class Shape, class Material>
+void validate(const object<Shape, Material>& o) {
+    if constexpr (requires { validate(o.shape); }) validate(o.shape);
+    if constexpr (requires { validate(o.material); }) validate(o.material);
+}
+
+}  // namespace lantern
