@@ -32,6 +32,7 @@ set(LANTERN_FLOOR_2
   blinn_phong
   bvh
   closest
+  coated
   diffuse
   emissive
   glass
@@ -48,6 +49,8 @@ set(LANTERN_FLOOR_2
 set(LANTERN_FLOOR_3
   direct
   distribution
+  exact
+  exact_light
   render
   whitted
 )

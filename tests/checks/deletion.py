@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Can this header be deleted, and does everything that does not name it still build?
+
+deletion.py NAME...                 by the includes: whatever reaches the header must name it itself
+deletion.py --build FOLDER NAME...  by the compiler: every source file in FOLDER/compile_commands.json that does not
+                                    name the headers is checked against a copy of include/ without them
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from floors import HEADERS, ROOT, names_of
+
+
+def closure(names: list[str], includes: dict[str, list[str]]) -> set[str]:
+    """The headers of the library that these reach."""
+    reached: set[str] = set()
+    todo = list(names)
+    while todo:
+        name = todo.pop()
+        if name not in reached:
+            reached.add(name)
+            todo += includes.get(name, [])
+    return reached
+
+
+def by_includes(deleted: str) -> list[str]:
+    includes = {path.stem: names_of(path) for path in HEADERS.glob("*.hpp")}
+    problems = []
+    for folder in ("include", "examples", "tests", "labs", "solutions", "bench", "grading"):
+        for path in sorted([*(ROOT / folder).rglob("*.hpp"), *(ROOT / folder).rglob("*.cpp")]):
+            names = names_of(path)
+            if path.stem != deleted and deleted not in names and deleted in closure(names, includes):
+                way = next(name for name in names if deleted in closure([name], includes))
+                problems.append(f"{path.relative_to(ROOT)} does not name {deleted}.hpp, but needs it for {way}.hpp")
+    return problems
+
+
+def by_compiler(deleted: list[str], build: pathlib.Path) -> list[str]:
+    commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    with tempfile.TemporaryDirectory() as folder:
+        pruned = pathlib.Path(folder) / "include"
+        shutil.copytree(ROOT / "include", pruned)
+        for name in deleted:
+            (pruned / "lantern" / f"{name}.hpp").unlink()
+
+        def check(command: dict) -> str | None:
+            source = pathlib.Path(command["file"])
+            if source.suffix != ".cpp" or not source.is_relative_to(ROOT) or set(deleted) & set(names_of(source)):
+                return None
+            words = [word.replace(str(ROOT / "include"), str(pruned)) for word in shlex.split(command["command"])]
+            if "-o" in words:
+                at = words.index("-o")
+                del words[at:at + 2]
+            done = subprocess.run([*words, "-fsyntax-only"], cwd=command["directory"], capture_output=True, text=True, check=False)
+            return None if done.returncode == 0 else f"{source.relative_to(ROOT)} no longer compiles:\n{done.stderr[:2000]}"
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            return [problem for problem in pool.map(check, commands) if problem]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path)
+    parser.add_argument("names", nargs="+")
+    wish = parser.parse_args()
+    problems = [problem for name in wish.names for problem in by_includes(name)]
+    if wish.build:
+        problems += by_compiler(wish.names, wish.build.resolve())
+    print("\n".join(problems) or "nothing needs " + " or ".join(wish.names) + " that does not name it")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
