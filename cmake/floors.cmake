@@ -4,6 +4,8 @@
 
 set(LANTERN_FLOOR_0
   alternative
+  basis
+  double_double
   halton
   hash
   image
@@ -20,30 +22,41 @@ set(LANTERN_FLOOR_0
 )
 
 set(LANTERN_FLOOR_1
+  aabb
   camera
   filter
   pfm
   png
   ppm
+  precise
   surface
 )
 
 set(LANTERN_FLOOR_2
+  any_of
   blinn_phong
+  box
   bvh
   closest
   coated
+  cylinder
   diffuse
+  disk
   emissive
   glass
   glossy
+  instance
   light
   material
   mirror
-  precise
+  moving
+  object
+  plane
+  rectangle
   rectangle_light
   sky
   sphere
+  triangle
 )
 
 set(LANTERN_FLOOR_3
