@@ -76,20 +76,26 @@ public:
             ++rejected_;
             return;
         }
-        sum_ += double{weight} * glm::dvec3(sample);
+        weighted_ += double{weight} * glm::dvec3(sample);
         weight_ += weight;
+        plain_ += glm::dvec3(sample);
         ++count_;
     }
 
     [[nodiscard]] std::uint64_t count() const { return count_; }        ///< samples added, without the rejected ones
     [[nodiscard]] std::uint64_t rejected() const { return rejected_; }  ///< samples left out
 
-    /// Black when there is nothing to take the mean of.
-    [[nodiscard]] glm::vec3 mean() const { return weight_ == 0 ? glm::vec3{0} : glm::vec3(sum_ / weight_); }
+    /// Black when there are no samples. Few samples of a filter with negative lobes can have weights that sum to nothing
+    /// or less: then the mean without weights, which at least lies between the samples.
+    [[nodiscard]] glm::vec3 mean() const {
+        if (weight_ > 0) return glm::vec3(weighted_ / weight_);
+        return count_ > 0 ? glm::vec3(plain_ / static_cast<double>(count_)) : glm::vec3{0};
+    }
 
 private:
-    glm::dvec3 sum_{0};
+    glm::dvec3 weighted_{0};
     double weight_ = 0;
+    glm::dvec3 plain_{0};
     std::uint64_t count_ = 0;
     std::uint64_t rejected_ = 0;
 };

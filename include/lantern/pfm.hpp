@@ -50,9 +50,7 @@ inline std::uint64_t encode(std::ostream& out, const image& picture) {
 /// Returns the number of pixels that are not finite. They are written as they are: this is the format to look for them in.
 /// Throws std::runtime_error when it cannot write; see save.hpp for what then becomes of the file.
 inline std::uint64_t write_pfm(std::ostream& out, const image& picture) {
-    const std::uint64_t not_finite = pfm::encode(out, picture);
-    require_written(out);
-    return not_finite;
+    return save(out, [&](std::ostream& to) { return pfm::encode(to, picture); });
 }
 inline std::uint64_t write_pfm(const std::filesystem::path& path, const image& picture) {
     return save(path, [&](std::ostream& to) { return pfm::encode(to, picture); });

@@ -114,9 +114,7 @@ namespace png {
 /// Returns the number of pixels that were not finite: NaN and -infinity are written as 0, +infinity as 255.
 /// Throws std::runtime_error when it cannot write; see save.hpp for what then becomes of the file.
 [[maybe_unused]] static std::uint64_t write_png(std::ostream& out, const image& picture) {
-    const std::uint64_t not_finite = png::encode(out, picture);
-    require_written(out);
-    return not_finite;
+    return save(out, [&](std::ostream& to) { return png::encode(to, picture); });
 }
 [[maybe_unused]] static std::uint64_t write_png(const std::filesystem::path& path, const image& picture) {
     return save(path, [&](std::ostream& to) { return png::encode(to, picture); });

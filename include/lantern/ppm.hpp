@@ -41,9 +41,7 @@ inline std::uint64_t encode(std::ostream& out, const image& picture) {
 /// Returns the number of pixels that were not finite: NaN and -infinity are written as 0, +infinity as 255.
 /// Throws std::runtime_error when it cannot write; see save.hpp for what then becomes of the file.
 inline std::uint64_t write_ppm(std::ostream& out, const image& picture) {
-    const std::uint64_t not_finite = ppm::encode(out, picture);
-    require_written(out);
-    return not_finite;
+    return save(out, [&](std::ostream& to) { return ppm::encode(to, picture); });
 }
 inline std::uint64_t write_ppm(const std::filesystem::path& path, const image& picture) {
     return save(path, [&](std::ostream& to) { return ppm::encode(to, picture); });

@@ -104,25 +104,34 @@ private:
     }
 };
 
+/// Returns write(out), after calling finish().
+template <std::invocable<std::ostream&> Write, std::invocable Finish>
+auto write_then(std::ostream& out, Write&& write, Finish&& finish) {
+    if constexpr (std::is_void_v<std::invoke_result_t<Write, std::ostream&>>) {
+        write(out);
+        finish();
+    } else {
+        const auto result = write(out);
+        finish();
+        return result;
+    }
+}
+
 /// Calls write(std::ostream&) and returns its result. Throws std::runtime_error, naming the path and the system's reason,
 /// when anything cannot be written; the path is then as it was before, also when `write` itself throws.
 template <std::invocable<std::ostream&> Write>
 auto save(const std::filesystem::path& path, Write&& write) {
     pending_file file(path);
-    if constexpr (std::is_void_v<std::invoke_result_t<Write, std::ostream&>>) {
-        write(file.stream());
-        file.commit();
-    } else {
-        const auto result = write(file.stream());
-        file.commit();
-        return result;
-    }
+    return write_then(file.stream(), write, [&] { file.commit(); });
 }
 
-/// Flushes. Throws std::runtime_error when the stream, std::cout for one, is in a failed state.
-inline void require_written(std::ostream& out) {
+/// The same to a stream, std::cout for one: flushed, and an error if it then is in a failed state.
+template <std::invocable<std::ostream&> Write>
+auto save(std::ostream& out, Write&& write) {
     errno = 0;
-    if (!out.flush()) cannot_write("to the stream", last_error());
+    return write_then(out, write, [&] {
+        if (!out.flush()) cannot_write("to the stream", last_error());
+    });
 }
 
 }  // namespace lantern

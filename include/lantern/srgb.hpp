@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -19,8 +20,10 @@ namespace lantern {
 [[nodiscard]] inline float to_srgb(float linear) {
     if (!(linear > 0)) return 0;
     if (linear >= 1) return 1;
-    const double x = linear;
-    return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+    const double x = linear, seam = 0.0031308;
+    if (x <= seam) return static_cast<float>(12.92 * x);
+    // The standard's rounded constants let the curve fall by 3e-8 at the seam; it must not.
+    return static_cast<float>(std::max(12.92 * seam, 1.055 * std::pow(x, 1 / 2.4) - 0.055));
 }
 
 /// The inverse, for [0, 1] likewise clamped.
