@@ -15,6 +15,7 @@ set(LANTERN_FLOOR_0
   samples
   save
   sobol
+  solid_angle
   srgb
   todo
   validate
@@ -42,6 +43,7 @@ set(LANTERN_FLOOR_2
   cylinder
   diffuse
   disk
+  disk_light
   emissive
   glass
   glossy
@@ -50,12 +52,14 @@ set(LANTERN_FLOOR_2
   material
   mirror
   moving
+  moving_light
   object
   plane
   rectangle
   rectangle_light
   sky
   sphere
+  sphere_light
   triangle
 )
 
@@ -63,8 +67,10 @@ set(LANTERN_FLOOR_3
   direct
   distribution
   exact
+  exact_error
   exact_light
   render
+  validate_scene
   whitted
 )
 
