@@ -72,7 +72,10 @@ def first_error(output: str) -> str:
 def explain_build_failure(lab: Lab, file: pathlib.Path, output: str) -> str:
     error = first_error(output)
     handout = f"labs/{lab.folder}/README.md"
-    words = [f"{file.relative_to(ROOT)} does not compile yet. The first error:", "",
+    failed = re.search(r"^FAILED: (\S+)", output, re.MULTILINE)
+    mine = failed is None or "bind" in failed[1] or "main.cpp" in failed[1]
+    words = [f"{file.relative_to(ROOT)} does not compile yet. The first error:" if mine else
+             "Something other than your header does not build. Is all of Lantern as it was? (git status) The first error:", "",
              *("  " + line for line in error.splitlines()), ""]
     missing = re.search(r"lantern/(\w+)\.hpp: No such file|'lantern/(\w+)\.hpp' file not found", error)
     if missing and (ROOT / "include" / "lantern" / f"{missing[1] or missing[2]}.hpp").exists():
