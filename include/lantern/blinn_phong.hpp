@@ -15,8 +15,10 @@
 
 namespace lantern {
 
-/// A diffuse body with a highlight (Blinn 1977). `body` + `highlight` should not exceed 1; `exponent` sharpens the
-/// highlight, which is scaled by (e + 8) / 8π so that it keeps its energy (Hoffman 2013).
+/// A diffuse body with a highlight (Blinn 1977); `exponent` sharpens it. The highlight is scaled so that at normal
+/// incidence it sends back exactly the fraction `highlight`, and less at any other angle: the factor is
+/// (e + 2)(e + 4) / 8π(2^(-e/2) + e) (Giesen, "Phong and Blinn-Phong normalization factors", 2009). The surface thus
+/// creates no light as long as `body` + `highlight` is at most 1.
 struct blinn_phong {
     glm::vec3 body{0.5f};
     glm::vec3 highlight{0.04f};
@@ -37,7 +39,8 @@ inline void validate(const blinn_phong& m) {
     if (!(cosine > 0)) return glm::vec3(0);
     const glm::vec3 sum = out - in;  // zero only when the light stands behind the surface
     const float halfway = std::clamp(glm::dot(normal, sum) / glm::length(sum), 0.0f, 1.0f);
-    const float lobe = (m.exponent + 8) / (8 * std::numbers::pi_v<float>) * std::pow(halfway, m.exponent);
+    const float e = m.exponent, scale = (e + 2) * (e + 4) / (8 * std::numbers::pi_v<float> * (std::exp2(-e / 2) + e));
+    const float lobe = scale * std::pow(halfway, e);
     return (m.body * std::numbers::inv_pi_v<float> + m.highlight * lobe) * cosine;
 }
 

@@ -16,10 +16,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <ranges>
 #include <span>
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace lantern {
@@ -44,8 +43,8 @@ public:
     explicit bvh(std::span<const aabb> boxes, const bvh_options& options = {}) : options_(options) {
         if (options.leaf_size == 0) refuse("bvh: leaf_size", "0", "at least 1");
         if (options.max_depth > 64) refuse("bvh: max_depth", std::to_string(options.max_depth), "at most 64");
-        if (boxes.size() > std::numeric_limits<std::uint32_t>::max() / 2)
-            refuse("bvh: the number of surfaces", std::to_string(boxes.size()), "below 2^31");
+        if (boxes.size() >= std::size_t{1} << 30)  // what node::size holds
+            refuse("bvh: the number of surfaces", std::to_string(boxes.size()), "below 2^30");
         build(boxes);
     }
 
@@ -59,13 +58,14 @@ public:
     template <class Offer, class Probe = no_probe>
     void traverse(const ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         if (nodes_.empty() || empty(range)) return;
+        const slab_ray prepared(r);
         std::array<std::uint32_t, 65> waiting;  // one sibling a level, and the root
         std::size_t count = 0;
         waiting[count++] = 0;
         while (count > 0) {
             const node& n = nodes_[waiting[--count]];
             counter.node();
-            if (!overlaps(n.box, r, range)) continue;
+            if (!overlaps(n.box, prepared, range)) continue;
             if (n.size == 0) {
                 const bool forward = r.direction[int(n.axis)] >= 0;
                 waiting[count++] = forward ? n.first + 1 : n.first;
@@ -80,7 +80,10 @@ public:
         }
     }
 
-    /// How many surfaces were left out, because their bounds are empty or not finite.
+    /// How many surfaces the tree was built over.
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(indices_.size()) + left_out_; }
+
+    /// How many of them were left out, because their bounds are empty or not finite.
     [[nodiscard]] std::uint32_t left_out() const { return left_out_; }
 
     /// What the tree is made of: for pictures of it, and for tests.
@@ -188,7 +191,8 @@ private:
         return std::min(static_cast<std::uint32_t>(where), bins - 1);
     }
 
-    // Of 15 cuts on each axis the one with the least sum, over both children, of area times number of surfaces.
+    // Of 15 cuts on each axis the one with the least sum, over both children, of area times number of surfaces. None
+    // where there is no area to compare, as of points on a line.
     static cut surface_area_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
         double least = std::numeric_limits<double>::infinity();
         int best_axis = 0;
@@ -224,7 +228,7 @@ private:
             }
         }
         const auto lower = [&](std::uint32_t i) { return bin_of(boxes[i], centers, best_axis) < best_bin; };
-        return {best_bin == bins ? 0 : partition(indices, lower), static_cast<std::uint32_t>(best_axis)};
+        return {least > 0 && best_bin < bins ? partition(indices, lower) : 0, static_cast<std::uint32_t>(best_axis)};
     }
 
     std::vector<node> nodes_;

@@ -40,6 +40,8 @@ concept accelerator = requires(const A& a, const Ray& r, interval range, interva
 struct every {
     std::uint32_t count = 0;
 
+    [[nodiscard]] constexpr std::uint32_t size() const { return count; }
+
     template <class Offer, class Probe = no_probe>
     void traverse(const ray&, interval range, Offer&& offer, Probe&& counter = {}) const {
         for (std::uint32_t i = 0; i < count && !empty(range); ++i) {
@@ -76,7 +78,7 @@ template <accelerator A, std::ranges::random_access_range Surfaces, std::derived
     std::optional<nearest> best;
     traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
         const auto h = intersect(std::ranges::begin(surfaces)[i], r, remaining);
-        if (!h) return remaining;
+        if (!h || !contains(remaining, h->t)) return remaining;  // an answer outside the range, or NaN, is none
         if (!best || h->t < best->t || (h->t == best->t && i < best->index)) best = nearest{*h, i};
         return {remaining.min, best->t};
     }, counter);
@@ -90,7 +92,8 @@ template <accelerator A, std::ranges::random_access_range Surfaces, std::derived
                             Probe&& counter = {}) {
     bool found = false;
     traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
-        found = found || intersect(std::ranges::begin(surfaces)[i], r, remaining).has_value();
+        const auto h = intersect(std::ranges::begin(surfaces)[i], r, remaining);
+        found = found || (h && contains(remaining, h->t));
         return found ? interval{0, 0} : remaining;
     }, counter);
     return found;

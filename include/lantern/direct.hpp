@@ -9,7 +9,6 @@
 #include <lantern/ray.hpp>
 #include <lantern/surface.hpp>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace lantern {
@@ -20,7 +19,8 @@ namespace lantern {
 template <class Accelerator, class Things, class Ray, reflects_light Material>
 [[nodiscard]] glm::vec3 direct_light(const Accelerator& structure, const Things& things, const Ray& r, glm::vec3 in,
                                      const hit& h, const Material& m, const illumination& light) {
-    const glm::vec3 out = glm::normalize(light.position - h.point);
+    if (light.irradiance == glm::vec3(0)) return glm::vec3(0);
+    const glm::vec3 out = unit(light.position - h.point);
     const glm::vec3 answer = evaluate(m, in, h, out) * light.irradiance;
     if (answer == glm::vec3(0)) return answer;
     const glm::vec3 origin = leave(h, out);

@@ -12,6 +12,7 @@
 #include <lantern/sky.hpp>
 #include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
+#include <lantern/validate_scene.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,7 +23,6 @@
 #include <cstdint>
 #include <ranges>
 #include <span>
-#include <type_traits>
 
 namespace lantern {
 
@@ -43,12 +43,11 @@ public:
     distribution(const Accelerator& structure, std::span<const Thing> things, std::span<const Light> lights,
                  const Background& background = {}, const distribution_options& options = {})
         : structure_(&structure), things_(things), lights_(lights), background_(background), options_(options) {
+        validate_scene(structure, things, lights, background);
         require_not_negative(options.ambient, "distribution: ambient");
-        for (const Light& l : lights)
-            with_alternative(l, [](const auto& kind) {
-                if constexpr (requires { validate(kind); }) validate(kind);
-            });
     }
+    distribution(const Accelerator&&, std::span<const Thing>, std::span<const Light>, const Background& = {},
+                 const distribution_options& = {}) = delete;  // a temporary would be gone before the first ray
 
     /// The radiance along the ray: one sample of it. `source` is the sample's numbers.
     template <std::derived_from<ray> Ray, sample_source Source>
@@ -60,7 +59,7 @@ private:
     template <class Ray, class Source>
     glm::vec3 radiance_along(const Ray& r, const Source& source, std::uint32_t depth) const {
         const auto h = closest(*structure_, things_, r);
-        const glm::vec3 in = glm::normalize(r.direction);
+        const glm::vec3 in = unit(r.direction);
         if (!h) return radiance(background_, in);
         return with_alternative(things_[h->index].material,
                                 [&](const auto& m) { return shade(m, r, in, *h, source, depth); });
@@ -88,14 +87,12 @@ private:
     template <class Kind, class Ray, class Source>
     static illumination illumination_from(const Kind& light, std::uint32_t which, const Ray& r, glm::vec3 point,
                                           const Source& source) {
-        if constexpr (point_like<Kind>) {
-            return illuminate(light, point);
-        } else if constexpr (sampled_light<Kind>) {
-            return illuminate(light, point, source.draw2(purpose::light, which));
-        } else {
-            static_assert(moving_light<Kind, Ray>, "a moving light needs a camera with a shutter");
-            return illuminate(light, point, source.draw2(purpose::light, which), r.time);
-        }
+        static_assert(still_light<Kind> || std::derived_from<Ray, timed_ray>,
+                      "a moving light needs a camera with a shutter");
+        if constexpr (point_like<Kind>) return illuminate(light, point);
+        else if constexpr (sampled_light<Kind>) return illuminate(light, point, source.draw2(purpose::light, which));
+        else if constexpr (moving_point_light<Kind>) return illuminate(light, point, r.time);
+        else return illuminate(light, point, source.draw2(purpose::light, which), r.time);
     }
 
     template <class Material>
@@ -116,17 +113,21 @@ private:
     template <class Ray, class Source>
     glm::vec3 carried_on(const bounces& rays, const Ray& r, const hit& h, const Source& source,
                          std::uint32_t depth) const {
-        const auto follow = [&](const bounce& b, std::uint32_t k) {
+        const auto follow = [&](std::uint32_t k, float chance) {
+            const bounce& b = rays[k];
             const Ray next = continued(r, leave(h, b.direction), b.direction);
-            return b.weight * radiance_along(next, source.branch(k), depth + 1);
+            return b.weight / chance * radiance_along(next, source.branch(k), depth + 1);
         };
-        if (rays.empty()) return glm::vec3(0);
-        if (rays.size() == 1) return follow(rays.begin()[0], 0);
-        if (depth < options_.split_depth) return follow(rays.begin()[0], 0) + follow(rays.begin()[1], 1);
-        const float first = largest(rays.begin()[0].weight), second = largest(rays.begin()[1].weight);
-        const float chance = first / (first + second);  // two rays are never both black
-        return source.draw1(purpose::branch) < chance ? follow(rays.begin()[0], 0) / chance
-                                                      : follow(rays.begin()[1], 1) / (1 - chance);
+        const float first = rays.size() > 0 ? largest(rays[0].weight) : 0;
+        const float second = rays.size() > 1 ? largest(rays[1].weight) : 0;
+        if (first > 0 && second > 0 && depth >= options_.split_depth) {
+            const float chance = first / (first + second);
+            return source.draw1(purpose::branch) < chance ? follow(0, chance) : follow(1, 1 - chance);
+        }
+        glm::vec3 sum{0};  // what is black is not followed
+        if (first > 0) sum += follow(0, 1);
+        if (second > 0) sum += follow(1, 1);
+        return sum;
     }
 
     static float largest(glm::vec3 weight) { return std::max({weight.x, weight.y, weight.z}); }

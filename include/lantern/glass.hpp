@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -34,19 +35,20 @@ struct refraction {
 };
 
 /// Snell's law with Fresnel's reflectance. `normal` faces the incoming ray; `ratio` is the index on the side the ray
-/// comes from over the index on the other. Empty beyond the critical angle: total internal reflection.
-/// In double, and with sin² from the cross product: 1 - cos² loses the answer near the normal and near the critical
-/// angle. A ratio of exactly 1 lets the ray pass unbent.
+/// comes from over the index on the other. Empty beyond the critical angle: total internal reflection. In double, and
+/// with sin² = |n × d|² / |n|²|d|²: 1 - cos² has lost the answer near the normal, and near the critical angle it is wrong
+/// about it. Nothing is normalised before the decision. A ratio of exactly 1 lets the ray pass unbent.
 [[nodiscard]] inline std::optional<refraction> refracted(glm::vec3 in, glm::vec3 normal, double ratio) {
     if (ratio == 1) return refraction{in, 0};
-    const glm::dvec3 d = glm::normalize(glm::dvec3(in)), n = glm::normalize(glm::dvec3(normal));
-    const glm::dvec3 across = glm::cross(n, d);
-    const double sin_out = ratio * glm::length(across);
-    if (!(sin_out < 1)) return std::nullopt;
-    const double cos_in = -glm::dot(n, d), cos_out = std::sqrt((1 - sin_out) * (1 + sin_out));
+    const glm::dvec3 d(in), n(normal), across = ratio * glm::cross(n, d);
+    const double lengths2 = glm::dot(n, n) * glm::dot(d, d), sine2 = glm::dot(across, across);
+    if (!(sine2 < lengths2)) return std::nullopt;
+    const double cos_in = std::max(0.0, -glm::dot(n, d) / std::sqrt(lengths2));
+    const double cos_out = std::sqrt((lengths2 - sine2) / lengths2);
     const double parallel = (cos_in - ratio * cos_out) / (cos_in + ratio * cos_out);
     const double perpendicular = (ratio * cos_in - cos_out) / (ratio * cos_in + cos_out);
-    return refraction{glm::vec3(glm::normalize(ratio * d + (ratio * cos_in - cos_out) * n)),
+    const glm::dvec3 bent = ratio / glm::length(d) * d + (ratio * cos_in - cos_out) / glm::length(n) * n;
+    return refraction{glm::vec3(glm::normalize(bent)),
                       static_cast<float>((parallel * parallel + perpendicular * perpendicular) / 2)};
 }
 

@@ -16,20 +16,20 @@
 namespace lantern {
 
 /// A ray r perturbed within a square of side `width`, perpendicular to r and one unit of length away (Cook, Porter
-/// and Carpenter 1984): with an orthonormal basis whose w = r,
-///     u = -a/2 + ξ a,  v = -a/2 + ξ' a,  r' = r + u U + v V.
-/// r must have unit length, or the blur would depend on its length; r' is normalised. A width of zero gives r itself.
+/// and Carpenter 1984): with an orthonormal basis whose w = r / |r|,
+///     u = -a/2 + ξ a,  v = -a/2 + ξ' a,  r' = w + u U + v V,
+/// so the blur does not depend on the length of r. r' has unit length. A width of zero gives r itself, to the last bit.
 [[nodiscard]] inline glm::vec3 perturbed(glm::vec3 r, float width, glm::vec2 xi) {
     if (width == 0) return r;
     const basis b = basis_from(r);
-    const float u = -width / 2 + xi.x * width;
-    const float v = -width / 2 + xi.y * width;
-    return glm::normalize(r + u * b.u + v * b.v);
+    const double a = width, u = -a / 2 + double(xi.x) * a, v = -a / 2 + double(xi.y) * a;
+    return glm::vec3(glm::normalize(glm::dvec3(b.w) + u * glm::dvec3(b.u) + v * glm::dvec3(b.v)));
 }
 
-/// Brings a direction to the side that `normal` points to. Near grazing part of the square lies behind the surface
-/// (at an incidence of 80° and width 1, a third). To absorb that part would draw dark rims, to draw again would need
-/// more numbers; folded back at the surface, as by a second reflection, all the energy goes on.
+/// Brings a direction to the side that `normal` points to. Near grazing part of the square lies behind the surface: at
+/// an incidence of 80° and width 1 a third of it. Folded back at the surface, as by a second reflection, that part goes on
+/// with all its energy; to absorb it would draw dark rims, to draw again until it fits would take more numbers and
+/// spoil their stratification. Folding keeps solid angles, and is continuous: neighbours in the square stay neighbours.
 [[nodiscard]] inline glm::vec3 folded(glm::vec3 direction, glm::vec3 normal) {
     const float height = glm::dot(direction, normal);
     return height < 0 ? direction - 2 * height * normal : direction;
@@ -69,8 +69,7 @@ inline void validate(const frosted& m) {
         return bounce{folded(perturbed(b.direction, m.width, point), reflected ? front : -front), b.weight};
     };
     const bounces clear = scatter(m.body, in, h);
-    return clear.size() == 2 ? bounces{perturb(clear.begin()[0], xi), perturb(clear.begin()[1], xi2)}
-                             : bounces{perturb(clear.begin()[0], xi)};
+    return clear.size() == 2 ? bounces{perturb(clear[0], xi), perturb(clear[1], xi2)} : bounces{perturb(clear[0], xi)};
 }
 
 }  // namespace lantern

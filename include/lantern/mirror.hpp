@@ -10,7 +10,8 @@
 
 namespace lantern {
 
-/// The law of reflection: in - 2 (n·in) n, in double, of unit length. Called `mirrored`, as GLM owns `reflect`.
+/// The law of reflection, in - 2 (n·in) n for a normal of any length, in double; of unit length. Called `mirrored`, as
+/// GLM owns `reflect`.
 [[nodiscard]] inline glm::vec3 mirrored(glm::vec3 in, glm::vec3 normal) {
     const glm::dvec3 d(in), n(normal);
     return glm::vec3(glm::normalize(d - 2 * glm::dot(n, d) / glm::dot(n, n) * n));

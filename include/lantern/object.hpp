@@ -7,6 +7,7 @@
 #include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
 #include <lantern/surface.hpp>
+#include <lantern/validate.hpp>
 
 #include <concepts>
 #include <optional>
@@ -44,8 +45,8 @@ template <bounded Shape, class Material>
 
 template <class Shape, class Material>
 void validate(const object<Shape, Material>& o) {
-    if constexpr (requires { validate(o.shape); }) validate(o.shape);
-    if constexpr (requires { validate(o.material); }) validate(o.material);
+    validate_if_possible(o.shape);
+    validate_if_possible(o.material);
 }
 
 }  // namespace lantern

@@ -2,6 +2,7 @@
 #pragma once
 // A ray, and a ray that knows its time.
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace lantern {
@@ -17,6 +18,12 @@ struct ray {
 struct timed_ray : ray {
     float time = 0;
 };
+
+/// v / |v|, in double: neither 1e-30 nor 1e30 is lost on the way. NaN for the zero vector, which has no direction.
+[[nodiscard]] inline glm::vec3 unit(glm::vec3 v) {
+    const glm::dvec3 d(v);
+    return glm::vec3(d / glm::length(d));
+}
 
 [[nodiscard]] inline glm::vec3 at(const ray& r, float t) { return r.origin + t * r.direction; }
 

@@ -4,14 +4,11 @@
 
 #include <lantern/light.hpp>
 #include <lantern/rectangle.hpp>
-#include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-
-#include <algorithm>
 
 namespace lantern {
 
@@ -24,11 +21,15 @@ struct rectangle_light {
 };
 
 /// The surface that shines. With the material `emissive{light.radiance}` it makes the light visible.
-[[nodiscard]] inline rectangle shape(const rectangle_light& l) { return {l.corner, l.edge_u, l.edge_v}; }
+[[nodiscard]] inline rectangle surface_of(const rectangle_light& l) { return {l.corner, l.edge_u, l.edge_v}; }
 
 inline void validate(const rectangle_light& l) {
-    validate(shape(l));
+    validate(surface_of(l));
     require_not_negative(l.radiance, "rectangle_light: radiance");
+}
+
+[[nodiscard]] inline rectangle_light displaced(const rectangle_light& l, glm::vec3 by) {
+    return {l.corner + by, l.edge_u, l.edge_v, l.radiance};
 }
 
 /// A point of the light, uniform in area: xi is carried over linearly, so the part of the unit square that a straight

@@ -22,7 +22,7 @@ struct hit {
     float t = 0;           ///< the ray's parameter, in units of the length of its direction
     glm::vec3 point{0};    ///< the meeting point, brought back onto the surface; nearer to it than at(ray, t)
     glm::vec3 normal{0};   ///< geometric normal, unit length; points out of closed surfaces, whatever side was hit
-    float error = 0;       ///< a bound on the distance from `point` to the surface
+    float error = 0;       ///< bounds the distance from `point`, before it was rounded to float, to the surface
 };
 
 /// A surface says where a ray meets it first within a range; a miss is nullopt. A user's own type becomes a surface
@@ -39,12 +39,12 @@ concept surface = requires(const S& s, const Ray& r, interval range) {
 }
 
 /// The origin of a ray that leaves a hit towards `direction`: the hit point, stepped off the surface along its
-/// normal, to the side that `direction` points to. The step is two ulp of the point's largest coordinate, or twice
-/// the error bound of the hit: rounding the point and the sum moves them by .87 ulp each, hence the new origin is on
-/// its own side of the surface for certain, at any scale of the scene. It is never an absolute epsilon.
+/// normal, to the side that `direction` points to. The step is the error bound of the hit and two ulp of the point's
+/// largest coordinate: rounding the point and the sum moves them by at most .87 ulp each (half of an ulp along each
+/// axis), hence the new origin is on its own side of the surface at any scale of the scene. No epsilon is absolute.
 [[nodiscard]] inline glm::vec3 leave(const hit& h, glm::vec3 direction) {
     const glm::vec3 p = glm::abs(h.point);
-    const float step = std::max(2 * ulp(std::max({p.x, p.y, p.z})), 2 * h.error);
+    const float step = 2 * ulp(std::max({p.x, p.y, p.z})) + h.error;
     return h.point + (glm::dot(direction, h.normal) < 0 ? -step : step) * h.normal;
 }
 

@@ -2,12 +2,16 @@
 #pragma once
 // Refusing bad input where it enters: every message names the value and the rule.
 
+#include <lantern/alternative.hpp>
+
 #include <glm/vec3.hpp>
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
@@ -48,6 +52,27 @@ inline void require_not_negative(float value, const char* what) {
 inline void require_not_negative(glm::vec3 value, const char* what) {
     if (!(value.x >= 0 && value.y >= 0 && value.z >= 0 && is_finite(value)))
         refuse(what, to_text(value), "finite and not negative");
+}
+
+/// Calls the `validate` beside a type, or beside the alternative that a variant holds. A type without one is content.
+template <class T>
+void validate_if_possible(const T& value) {
+    with_alternative(value, [](const auto& kind) {
+        if constexpr (requires { validate(kind); }) validate(kind);
+    });
+}
+
+/// The same for each element; the message begins with which one it is: "things[3]: sphere: radius is …".
+void validate_each(const std::ranges::input_range auto& values, const char* what) {
+    std::size_t i = 0;
+    for (const auto& value : values) {
+        try {
+            validate_if_possible(value);
+        } catch (const std::invalid_argument& problem) {
+            throw std::invalid_argument(std::string(what) + "[" + std::to_string(i) + "]: " + problem.what());
+        }
+        ++i;
+    }
 }
 
 }  // namespace lantern

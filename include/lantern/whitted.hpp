@@ -11,6 +11,7 @@
 #include <lantern/sky.hpp>
 #include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
+#include <lantern/validate_scene.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -21,14 +22,13 @@
 #include <cstdint>
 #include <ranges>
 #include <span>
-#include <type_traits>
 
 namespace lantern {
 
 struct whitted_options {
     glm::vec3 ambient{0};         ///< light that comes evenly from everywhere, for what shadow rays cannot find
     std::uint32_t depth = 10;     ///< how many times a ray may be followed on
-    float cutoff = 1.0f / 1024;   ///< a ray whose every weight is below is not followed (Hall and Greenberg 1983)
+    float cutoff = 1.0f / 1024;   ///< a ray of which no more than this reaches the eye is not followed (Hall and Greenberg 1983)
 };
 
 /// One shadow ray for every point light, one reflection and, if necessary, one refraction ray at every intersection;
@@ -40,14 +40,12 @@ public:
     whitted(const Accelerator& structure, std::span<const Thing> things, std::span<const Light> lights,
             const Background& background = {}, const whitted_options& options = {})
         : structure_(&structure), things_(things), lights_(lights), background_(background), options_(options) {
+        validate_scene(structure, things, lights, background);
         require_not_negative(options.ambient, "whitted: ambient");
-        for (const Light& l : lights)
-            with_alternative(l, [](const auto& kind) {
-                static_assert(point_like<std::remove_cvref_t<decltype(kind)>>,
-                              "whitted knows lights without extent only; use distribution for lights with area");
-                if constexpr (requires { validate(kind); }) validate(kind);
-            });
+        require_not_negative(options.cutoff, "whitted: cutoff");
     }
+    whitted(const Accelerator&&, std::span<const Thing>, std::span<const Light>, const Background& = {},
+            const whitted_options& = {}) = delete;  // a temporary would be gone before the first ray
 
     /// `render` offers a source of samples as well; the basic ray tracer has no use for it.
     template <std::derived_from<ray> Ray>
@@ -59,7 +57,7 @@ private:
     template <class Ray>
     glm::vec3 radiance_along(const Ray& r, glm::vec3 weight, std::uint32_t depth) const {
         const auto h = closest(*structure_, things_, r);
-        const glm::vec3 in = glm::normalize(r.direction);
+        const glm::vec3 in = unit(r.direction);
         if (!h) return radiance(background_, in);
         return with_alternative(things_[h->index].material,
                                 [&](const auto& m) { return shade(m, r, in, *h, weight, depth); });
@@ -68,25 +66,38 @@ private:
     template <class Material, class Ray>
     glm::vec3 shade(const Material& m, const Ray& r, glm::vec3 in, const hit& h, glm::vec3 weight,
                     std::uint32_t depth) const {
-        static_assert(!scatters_by_sample<Material>, "this material needs samples; use distribution");
+        static_assert(!scatters_by_sample<Material> && !scatters_by_two_samples<Material>,
+                      "whitted draws no samples, and this material needs them; use distribution");
         glm::vec3 sum{0};
         if constexpr (emits<Material>) sum += emitted(m, in, h);
         if constexpr (reflects_ambient<Material>) sum += albedo(m, h) * options_.ambient;
         if constexpr (reflects_light<Material>) {
             for (const Light& l : lights_) {
                 const illumination light =
-                    with_alternative(l, [&](const auto& kind) { return illuminate(kind, h.point); });
+                    with_alternative(l, [&](const auto& kind) { return illumination_from(kind, r, h.point); });
                 sum += direct_light(*structure_, things_, r, in, h, m, light);
             }
         }
         if constexpr (specular<Material>) {
             for (const bounce& b : scatter(m, in, h)) {
                 const glm::vec3 w = weight * b.weight;
-                if (depth >= options_.depth || std::max({w.x, w.y, w.z}) < options_.cutoff) continue;
+                if (depth >= options_.depth || !(std::max({w.x, w.y, w.z}) > options_.cutoff)) continue;
                 sum += b.weight * radiance_along(continued(r, leave(h, b.direction), b.direction), w, depth + 1);
             }
         }
         return sum;
+    }
+
+    template <class Kind, class Ray>
+    static illumination illumination_from(const Kind& light, const Ray& r, glm::vec3 point) {
+        static_assert(point_like<Kind> || moving_point_light<Kind>,
+                      "whitted knows lights without extent only; use distribution for lights with area");
+        if constexpr (point_like<Kind>) {
+            return illuminate(light, point);
+        } else {
+            static_assert(std::derived_from<Ray, timed_ray>, "a moving light needs a camera with a shutter");
+            return illuminate(light, point, r.time);
+        }
     }
 
     const Accelerator* structure_;

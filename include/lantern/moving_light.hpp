@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A light that moves along a straight line while the shutter is open.
+
+#include <lantern/light.hpp>
+#include <lantern/moving.hpp>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <concepts>
+
+namespace lantern {
+
+/// A light that can be put elsewhere; every light of the library can.
+template <class L>
+concept movable_light = still_light<L> && requires(const L& l, glm::vec3 by) {
+    { displaced(l, by) } -> std::same_as<L>;
+};
+
+/// `moving{light, displacement}` is the light moved by time * displacement, as for surfaces. It draws what the light draws.
+template <movable_light L>
+    requires point_like<L>
+[[nodiscard]] illumination illuminate(const moving<L>& l, glm::vec3 point, float time) {
+    return illuminate(displaced(l.surface, time * l.displacement), point);
+}
+
+template <movable_light L>
+    requires sampled_light<L>
+[[nodiscard]] illumination illuminate(const moving<L>& l, glm::vec3 point, glm::vec2 xi, float time) {
+    return illuminate(displaced(l.surface, time * l.displacement), point, xi);
+}
+
+/// The surface that shines, moving with the light.
+template <movable_light L>
+    requires requires(const L& l) { shape(l); }
+[[nodiscard]] auto shape(const moving<L>& l) {
+    return moving{shape(l.surface), l.displacement};
+}
+
+}  // namespace lantern
