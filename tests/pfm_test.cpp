@@ -13,6 +13,8 @@ using lantern::image;
 using lantern::read_pfm;
 using lantern::write_pfm;
 
+using namespace std::string_literals;
+
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
@@ -43,10 +45,9 @@ TEST_CASE("a file is its header and twelve bytes a pixel, little endian, the bot
     image picture({1, 2});
     picture(0, 0) = {1, 2, -0.5f};  // 3f800000, 40000000, bf000000
     picture(0, 1) = {0, 0, 1};
-    CHECK(pfm_of(picture) == std::string("PF\n1 2\n-1.0\n"
+    CHECK(pfm_of(picture) == "PF\n1 2\n-1.0\n"
                                          "\0\0\0\0\0\0\0\0\0\0\x80\x3f"
-                                         "\0\0\x80\x3f\0\0\0\x40\0\0\0\xbf",
-                                         36));
+                                         "\0\0\x80\x3f\0\0\0\x40\0\0\0\xbf"s);
 }
 
 TEST_CASE("every float survives writing and reading, to the last bit") {
@@ -60,8 +61,8 @@ TEST_CASE("every float survives writing and reading, to the last bit") {
 }
 
 TEST_CASE("both byte orders and grey pictures are read") {
-    CHECK(decoded(std::string("PF 1 1 1.0\n\x3f\x80\0\0\x40\0\0\0\xbf\0\0\0", 23))(0, 0) == glm::vec3(1, 2, -0.5f));
-    CHECK(decoded(std::string("Pf\n1 2\n-2.5e-1\n\0\0\x80\x3f\0\0\0\x40", 23))(0, 1) == glm::vec3(1));
+    CHECK(decoded("PF 1 1 1.0\n\x3f\x80\0\0\x40\0\0\0\xbf\0\0\0"s)(0, 0) == glm::vec3(1, 2, -0.5f));
+    CHECK(decoded("Pf\n1 2\n-2.5e-1\n\0\0\x80\x3f\0\0\0\x40"s)(0, 1) == glm::vec3(1));
 }
 
 TEST_CASE("a header that promises too much, or nonsense, is refused with the rule and the place") {

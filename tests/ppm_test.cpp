@@ -13,6 +13,8 @@ using lantern::image;
 using lantern::read_ppm;
 using lantern::write_ppm;
 
+using namespace std::string_literals;
+
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
@@ -45,7 +47,7 @@ TEST_CASE("a file is its header and three bytes a pixel, the top row first") {
     picture(0, 0) = {1, 0, 0};
     picture(1, 0) = {0, 0.5f, 0};
     picture(1, 1) = {0, 0, 2};
-    CHECK(ppm_of(picture) == std::string("P6\n2 2\n255\n\xff\0\0\0\xbc\0\0\0\0\0\0\xff", 23));
+    CHECK(ppm_of(picture) == "P6\n2 2\n255\n\xff\0\0\0\xbc\0\0\0\0\0\0\xff"s);
 }
 
 TEST_CASE("bytes survive reading and writing") {
@@ -66,7 +68,7 @@ TEST_CASE("a NaN pixel is counted and written as black, never undefined") {
     picture(0, 1) = {-inf, -1e-9f, 2};
     std::ostringstream out;
     CHECK(write_ppm(out, picture) == 2);
-    CHECK(out.str() == std::string("P6\n2 2\n255\n\xbc\xbc\xbc\0\xbc\xff\0\0\xff\xbc\xbc\xbc", 23));
+    CHECK(out.str() == "P6\n2 2\n255\n\xbc\xbc\xbc\0\xbc\xff\0\0\xff\xbc\xbc\xbc"s);
 }
 
 TEST_CASE("the header does not follow the locale, width or base of the stream") {
@@ -83,7 +85,7 @@ TEST_CASE("the header does not follow the locale, width or base of the stream") 
 }
 
 TEST_CASE("comments, any white space and two-byte values are read") {
-    const image picture = decoded(std::string("P6 # made by hand\n#\n2\t1\r\n# 65535\n65535\n\xff\xff\0\0\x80\0\0\0\0\0\xff\xff", 59));
+    const image picture = decoded("P6 # made by hand\n#\n2\t1\r\n# 65535\n65535\n\xff\xff\0\0\x80\0\0\0\0\0\xff\xff"s);
     CHECK(picture.size() == glm::uvec2(2, 1));
     CHECK(picture(0, 0).x == 1);
     CHECK(picture(0, 0).y == 0);
