@@ -4,6 +4,7 @@
 
 set(LANTERN_FLOOR_0
   alternative
+  centered
   basis
   double_double
   halton

@@ -35,7 +35,7 @@ inline void validate(const rectangle& s) {
 
 /// Rounded outwards.
 [[nodiscard]] inline aabb bounds(const rectangle& s) {
-    const aabb u = moved({s.corner, s.corner}, s.u);
+    const aabb u = moved(aabb{s.corner, s.corner}, s.u);
     const aabb edge = enclose(u, s.corner);
     return enclose(edge, moved(edge, s.v));
 }
