@@ -25,7 +25,9 @@ namespace lantern {
 }
 
 [[nodiscard]] inline std::string to_text(glm::vec3 v) {
-    return "(" + to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z) + ")";
+    std::string text = "(";  // += and not +, of which GCC 12 warns without reason (its bug 105329)
+    text += to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z);
+    return text += ")";
 }
 
 /// Throws std::invalid_argument "WHAT is VALUE, but must be RULE".
