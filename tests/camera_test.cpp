@@ -160,6 +160,20 @@ TEST_CASE("rays through all of the lens meet where the pinhole's ray crosses the
     });
 }
 
+TEST_CASE("a point at distance z out of focus is blurred to a disk of radius R |z - f| / f") {
+    constexpr float radius = 0.5f, focus = 4;
+    const camera lens{view{.eye = {0, 0, 0}, .target = {0, 0, -1}}, thin_lens{.radius = radius, .focus_distance = focus}};
+    for (const double z : {1.0, 3.0, 8.0, 100.0}) {
+        double widest = 0;
+        for (int i = 0; i <= 100; ++i) {
+            const auto r = shoot(lens, {0.5f, 0.5f}, told{{1, static_cast<float>(i) / 100}});  // the rim
+            const glm::dvec3 p = glm::dvec3(r.origin) - glm::dvec3(r.direction) * (z / r.direction.z);
+            widest = std::max(widest, glm::length(glm::dvec2(p.x, p.y)));
+        }
+        CHECK(widest == Approx(radius * std::abs(z - focus) / focus).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("focused at infinity, rays from one film point are parallel") {
     const camera sharp{views[2]};
     const camera lens{views[2], thin_lens{.radius = 2, .focus_distance = inf}};

@@ -61,11 +61,12 @@ struct shutter {
     return l.radius * to_polygon(xi, l.blades, l.rotation);
 }
 
-/// A lens of one's own is any type with a `focus_distance` and an `on_aperture` beside it.
+/// A lens of one's own is any type with a `focus_distance`, and with an `on_aperture` and a `validate` beside it.
 template <class L>
 concept lens = std::same_as<L, pinhole> || requires(const L& l, glm::vec2 xi) {
     { on_aperture(l, xi) } -> std::same_as<glm::vec2>;
     { l.focus_distance } -> std::convertible_to<double>;
+    validate(l);
 };
 
 template <class S>
