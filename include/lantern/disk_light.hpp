@@ -25,10 +25,10 @@ struct disk_light {
 };
 
 /// The surface that shines. With the material `emissive{light.radiance}` it makes the light visible.
-[[nodiscard]] inline disk shape(const disk_light& l) { return {l.center, l.normal, l.radius}; }
+[[nodiscard]] inline disk surface_of(const disk_light& l) { return {l.center, l.normal, l.radius}; }
 
 inline void validate(const disk_light& l) {
-    validate(shape(l));
+    validate(surface_of(l));
     require_positive(l.radius, "disk_light: radius");
     require_not_negative(l.radiance, "disk_light: radiance");
 }

@@ -33,9 +33,9 @@ template <movable_light L>
 
 /// The surface that shines, moving with the light.
 template <movable_light L>
-    requires requires(const L& l) { shape(l); }
-[[nodiscard]] auto shape(const moving<L>& l) {
-    return moving{shape(l.surface), l.displacement};
+    requires requires(const L& l) { surface_of(l); }
+[[nodiscard]] auto surface_of(const moving<L>& l) {
+    return moving{surface_of(l.surface), l.displacement};
 }
 
 }  // namespace lantern

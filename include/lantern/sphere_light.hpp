@@ -25,7 +25,7 @@ struct sphere_light {
 };
 
 /// The surface that shines. With the material `emissive{light.radiance}` it makes the light visible.
-[[nodiscard]] inline sphere shape(const sphere_light& l) { return {l.center, l.radius}; }
+[[nodiscard]] inline sphere surface_of(const sphere_light& l) { return {l.center, l.radius}; }
 
 inline void validate(const sphere_light& l) {
     require_finite(l.center, "sphere_light: center");
@@ -50,10 +50,11 @@ inline void validate(const sphere_light& l) {
     const basis b = basis_from(glm::vec3(axis));
     const glm::dvec3 across = local.x * glm::dvec3(b.u) + local.y * glm::dvec3(b.v);
 
-    // From the center to the near one of the two points where the direction meets the sphere.
+    // From the center to the near one of the two points where the direction meets the sphere, t away from the point. Along
+    // the axis t cos θ - d, without the cancellation.
     const double cosine = local.z, sine2 = local.x * local.x + local.y * local.y;
-    const double t = d * cosine - std::sqrt(std::max(0.0, r2 - d2 * sine2));
-    const glm::dvec3 from_center = t * across + (t * cosine - d) * axis;
+    const double half_chord = std::sqrt(std::max(0.0, r2 - d2 * sine2)), t = d * cosine - half_chord;
+    const glm::dvec3 from_center = t * across - (d * sine2 + half_chord * cosine) * axis;
     const glm::dvec3 normal = from_center / glm::length(from_center);
     return {just_off(center + double(l.radius) * normal, normal, point),
             glm::vec3(solid_angle(seen) * glm::dvec3(l.radiance))};
