@@ -47,7 +47,9 @@ struct refraction {
     const double cos_out = std::sqrt((lengths2 - sine2) / lengths2);
     const double parallel = (cos_in - ratio * cos_out) / (cos_in + ratio * cos_out);
     const double perpendicular = (ratio * cos_in - cos_out) / (ratio * cos_in + cos_out);
-    const glm::dvec3 bent = ratio / glm::length(d) * d + (ratio * cos_in - cos_out) / glm::length(n) * n;
+    const double length_n = glm::length(n), length_d = glm::length(d);
+    const glm::dvec3 along = glm::cross(across, n) / (length_n * length_n * length_d);  // the surface; |along| = sin
+    const glm::dvec3 bent = along - cos_out / length_n * n;
     return refraction{glm::vec3(glm::normalize(bent)),
                       static_cast<float>((parallel * parallel + perpendicular * perpendicular) / 2)};
 }
