@@ -31,14 +31,14 @@ constexpr std::array<std::uint32_t, 5> counts{16, 64, 256, 1024, 4096};
 
 // ---- what is integrated ---------------------------------------------------------------------------------------------
 
-constexpr double golden = .6180339887;
+constexpr double golden = .61803398875;
 
 bool edge(glm::dvec2 p) { return p.x + golden * p.y < .7; }
 bool disc(glm::dvec2 p) { return (p.x - .4) * (p.x - .4) + (p.y - .45) * (p.y - .45) < .35 * .35; }
 double smooth(glm::dvec2 p) { return std::exp(-p.x * p.x - p.y * p.y); }
 bool pen4(glm::dvec2 p, glm::dvec2 q) { return p.x + .6 * p.y + .8 * q.x + .5 * q.y < 1.3; }
 
-const double exact_edge = .7 - golden / 2;                                                      // .390983005650
+const double exact_edge = .7 - golden / 2;                                                      // .390983005625
 const double exact_disc = std::numbers::pi * .35 * .35;                                         // .384845100065
 const double exact_smooth = std::pow(std::sqrt(std::numbers::pi) / 2 * std::erf(1.0), 2);       // .557746285351
 
