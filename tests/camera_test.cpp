@@ -162,7 +162,8 @@ TEST_CASE("rays through all of the lens meet where the pinhole's ray crosses the
 
 TEST_CASE("a point at distance z out of focus is blurred to a disk of radius R |z - f| / f") {
     constexpr float radius = 0.5f, focus = 4;
-    const camera lens{view{.eye = {0, 0, 0}, .target = {0, 0, -1}}, thin_lens{.radius = radius, .focus_distance = focus}};
+    const camera lens{view{.eye = {0, 0, 0}, .target = {0, 0, -1}},
+                      thin_lens{.radius = radius, .focus_distance = focus}};
     for (const double z : {1.0, 3.0, 8.0, 100.0}) {
         double widest = 0;
         for (int i = 0; i <= 100; ++i) {
@@ -205,7 +206,8 @@ TEST_CASE("blades make the aperture a polygon: nothing beyond its sides, corners
     constexpr std::uint32_t blades = 5;
     constexpr float rotation = 0.3f;
     const view v{.eye = {0, 0, 0}, .target = {0, 0, -1}};
-    const camera lens{v, lantern::bladed_lens{.radius = 2, .focus_distance = 5, .blades = blades, .rotation = rotation}};
+    const camera lens{v,
+                      lantern::bladed_lens{.radius = 2, .focus_distance = 5, .blades = blades, .rotation = rotation}};
     double farthest = 0;
     for (int i = 0; i < 100 * 100; ++i) {
         const glm::vec2 xi = (glm::vec2(i % 100, i / 100) + 0.5f) / 100.f;
@@ -265,7 +267,8 @@ TEST_CASE("no time lies outside the exposure, however short, far or long it is")
     check(0, 1e-45f);
     check(5, 5);
     for (std::uint32_t i = 0; i < 2000; ++i) {
-        const float a = std::bit_cast<float>(lantern::low(lantern::hash(i))), b = std::bit_cast<float>(lantern::high(lantern::hash(i)));
+        const float a = std::bit_cast<float>(lantern::low(lantern::hash(i))),
+                    b = std::bit_cast<float>(lantern::high(lantern::hash(i)));
         if (std::isfinite(a) && std::isfinite(b)) check(std::min(a, b), std::max(a, b));
     }
 }
@@ -299,7 +302,8 @@ TEST_CASE("only a shutter makes rays know their time, and what is absent takes n
     const told source;
     STATIC_REQUIRE(std::is_same_v<decltype(shoot(camera{view{}}, glm::vec2{}, source)), lantern::ray>);
     STATIC_REQUIRE(std::is_same_v<decltype(shoot(camera{view{}, thin_lens{}}, glm::vec2{}, source)), lantern::ray>);
-    STATIC_REQUIRE(std::is_same_v<decltype(shoot(camera{view{}, pinhole{}, shutter{}}, glm::vec2{}, source)), lantern::timed_ray>);
+    STATIC_REQUIRE(
+        std::is_same_v<decltype(shoot(camera{view{}, pinhole{}, shutter{}}, glm::vec2{}, source)), lantern::timed_ray>);
     STATIC_REQUIRE(sizeof(camera<pinhole, instant>) == sizeof(lantern::camera_frame));
     STATIC_REQUIRE(sizeof(camera<pinhole, instant>) < sizeof(camera<pinhole, shutter>));
     STATIC_REQUIRE(sizeof(camera<pinhole, shutter>) < sizeof(camera<thin_lens, shutter>));

@@ -54,7 +54,8 @@ TEST_CASE("numbers outside the range, and what is no number, are refused by name
 }
 
 TEST_CASE("a word without end is not collected") {
-    CHECK_THAT(problem(std::string(1'000'000, 'x'), [](auto& from) { (void)from.word(); }), containing("longer than 32"));
+    CHECK_THAT(problem(std::string(1'000'000, 'x'), [](auto& from) { (void)from.word(); }),
+               containing("longer than 32"));
 }
 
 TEST_CASE("bytes are read to the last one, and memory is not asked for before they arrive") {

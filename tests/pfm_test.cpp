@@ -45,9 +45,10 @@ TEST_CASE("a file is its header and twelve bytes a pixel, little endian, the bot
     image picture({1, 2});
     picture(0, 0) = {1, 2, -0.5f};  // 3f800000, 40000000, bf000000
     picture(0, 1) = {0, 0, 1};
-    CHECK(pfm_of(picture) == "PF\n1 2\n-1.0\n"
-                                         "\0\0\0\0\0\0\0\0\0\0\x80\x3f"
-                                         "\0\0\x80\x3f\0\0\0\x40\0\0\0\xbf"s);
+    CHECK(pfm_of(picture) ==
+          "PF\n1 2\n-1.0\n"
+          "\0\0\0\0\0\0\0\0\0\0\x80\x3f"
+          "\0\0\x80\x3f\0\0\0\x40\0\0\0\xbf"s);
 }
 
 TEST_CASE("every float survives writing and reading, to the last bit") {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <lantern/png.hpp>
 
-#if defined(INCLUDE_STB_IMAGE_WRITE_H) || defined(STB_IMAGE_WRITE_IMPLEMENTATION) || defined(STB_IMAGE_WRITE_STATIC) || \
-    defined(STBI_WRITE_NO_STDIO) || defined(STBIWDEF) || defined(STBIW_ASSERT) || defined(STBIW_MALLOC) ||              \
-    defined(STBIW_UCHAR) || defined(stbiw__max) || defined(stbiw__sbpush) || defined(stbiw__wptag)
+#if defined(INCLUDE_STB_IMAGE_WRITE_H) || defined(STB_IMAGE_WRITE_IMPLEMENTATION) ||                                 \
+    defined(STB_IMAGE_WRITE_STATIC) || defined(STBI_WRITE_NO_STDIO) || defined(STBIWDEF) || defined(STBIW_ASSERT) || \
+    defined(STBIW_MALLOC) || defined(STBIW_UCHAR) || defined(stbiw__max) || defined(stbiw__sbpush) ||                \
+    defined(stbiw__wptag)
 #error "png.hpp lets macros of stb escape"
 #endif
 
@@ -51,8 +52,8 @@ struct decoded {
 decoded decode(const std::string& file) {
     decoded result;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()), &result.width,
-                              &result.height, &result.channels, 0),
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()),
+                              &result.width, &result.height, &result.channels, 0),
         &stbi_image_free);
     REQUIRE(pixels);
     result.bytes.assign(pixels.get(), pixels.get() + result.width * result.height * result.channels);
@@ -92,7 +93,8 @@ TEST_CASE("a picture reads back with the bytes of the sRGB encoding, the top row
 }
 
 TEST_CASE("the smallest, a flat and a long picture read back") {
-    for (const glm::uvec2 size : {glm::uvec2(1, 1), glm::uvec2(300, 200), glm::uvec2(65'536, 1), glm::uvec2(1, 65'536)}) {
+    for (const glm::uvec2 size :
+         {glm::uvec2(1, 1), glm::uvec2(300, 200), glm::uvec2(65'536, 1), glm::uvec2(1, 65'536)}) {
         const decoded back = decode(png_of(image(size, glm::vec3(0.5f))));
         CHECK(back.width == int(size.x));
         CHECK(back.height == int(size.y));

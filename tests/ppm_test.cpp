@@ -33,8 +33,9 @@ image decoded(const std::string& text) {
 
 image colourful() {
     image picture({7, 5});
-    for (float value = 0; glm::vec3& pixel : picture.pixels()) {
-        pixel = {lantern::from_srgb(value / 255), lantern::from_srgb((value + 1) / 255), lantern::from_srgb((value + 2) / 255)};
+    for (float value = 0; auto& pixel : picture.pixels()) {
+        pixel = {lantern::from_srgb(value / 255), lantern::from_srgb((value + 1) / 255),
+                 lantern::from_srgb((value + 2) / 255)};
         value += 7;
     }
     return picture;

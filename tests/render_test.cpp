@@ -35,7 +35,8 @@ const auto busy = [](const ray& r, const auto& source) {
 
 TEST_CASE("the image is the same to the last bit for any number of threads and any tile size") {
     const auto with = [](unsigned threads, std::uint32_t tile) {
-        return render({67, 41}, ahead, lantern::jittered{.side = 3, .seed = 5}, busy, {.threads = threads, .tile = tile});
+        return render({67, 41}, ahead, lantern::jittered{.side = 3, .seed = 5}, busy,
+                      {.threads = threads, .tile = tile});
     };
     const image one = with(1, 16);
     for (const unsigned threads : {0u, 1u, 2u, 7u, 100u})
@@ -63,7 +64,9 @@ TEST_CASE("each pixel sees its own part of the view: left is left, the top row i
 TEST_CASE("a pixel takes samples from the filter's support around it, and from nowhere else") {
     // One row of ten pixels over directions whose x / -z runs from -1 to 1.
     const camera wide{view{.eye = {0, 0, 0}, .target = {0, 0, -1}, .vertical_fov = 1.5707963f}};
-    const auto where = [](const ray& r, const auto&) { return glm::vec3(5 * (r.direction.x / -r.direction.z + 1), 0, 0); };
+    const auto where = [](const ray& r, const auto&) {
+        return glm::vec3(5 * (r.direction.x / -r.direction.z + 1), 0, 0);
+    };
     const image picture = render({10, 10}, wide, lantern::jittered{.side = 16}, where);
     for (std::uint32_t x = 0; x < 10; ++x) CHECK(picture(x, 3).x == Approx(x + 0.5).margin(0.01));
 }
@@ -110,7 +113,9 @@ TEST_CASE("a constant scene stays exactly constant, at any sample count and with
 }
 
 TEST_CASE("samples that are not finite are left out and reported") {
-    const auto sometimes = [](const ray& r, const auto&) { return glm::vec3(r.direction.x < 0 ? not_a_number : 0.25f); };
+    const auto sometimes = [](const ray& r, const auto&) {
+        return glm::vec3(r.direction.x < 0 ? not_a_number : 0.25f);
+    };
     const image picture = render({10, 10}, ahead, lantern::jittered{.side = 2}, sometimes, {.threads = 2, .tile = 3});
     CHECK(picture.rejected() == 5 * 10 * 4);
     for (std::uint32_t y = 0; y < 10; ++y) {
@@ -138,7 +143,8 @@ TEST_CASE("progress grows with every tile, ends at 1, and is told by one thread 
             told.push_back(fraction);
             --inside;
         };
-        (void)render({40, 24}, ahead, lantern::jittered{.side = 1}, busy, {.threads = threads, .tile = 8, .progress = progress});
+        (void)render({40, 24}, ahead, lantern::jittered{.side = 1}, busy,
+                     {.threads = threads, .tile = 8, .progress = progress});
         REQUIRE(told.size() == 15);
         for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == static_cast<double>(i + 1) / 15);
     }
@@ -171,7 +177,8 @@ TEST_CASE("what a shade throws is thrown by render, when no thread is at work an
             if (r.direction.x > 0.1f) throw std::out_of_range("there");
             return glm::vec3(0);
         };
-        CHECK_THROWS_AS(render({64, 64}, ahead, lantern::jittered{.side = 1}, shade, {.threads = threads}), std::out_of_range);
+        CHECK_THROWS_AS(render({64, 64}, ahead, lantern::jittered{.side = 1}, shade, {.threads = threads}),
+                        std::out_of_range);
         CHECK(inside == 0);
     }
 }
@@ -180,8 +187,13 @@ TEST_CASE("an image, sampler or tile without contents is refused, by value and r
     const lantern::jittered sampler;
     CHECK_THROWS_WITH(render({0, 0}, ahead, sampler, busy), containing("image: size is 0 x 0"));
     CHECK_THROWS_AS(render({0, 7}, ahead, sampler, busy), std::invalid_argument);
-    CHECK_THROWS_WITH(render({4, 4}, ahead, sampler, busy, {.tile = 0}), containing("tile is 0, but must be at least 1"));
+    CHECK_THROWS_WITH(render({4, 4}, ahead, sampler, busy, {.tile = 0}),
+                      containing("tile is 0, but must be at least 1"));
+    CHECK_THROWS_WITH(render({4, 4}, ahead, sampler, busy, {.threads = ~0u}), containing("threads is 4294967295"));
     CHECK_THROWS_AS(render({4, 4}, ahead, lantern::independent{.samples = 0}, busy), std::invalid_argument);
+
+    CHECK_THROWS_WITH(render({4, 4}, ahead, sampler, busy, {}, lantern::tent_filter{.radius = -1}),
+                      containing("tent_filter: radius is -1"));
 
     struct idle {
         static std::uint32_t count() { return 0; }

@@ -4,13 +4,15 @@
 #include "catch.hpp"
 #include "scratch.hpp"
 
+#include <array>
 #include <sstream>
 #include <thread>
 #include <vector>
 
 #if __has_include(<sys/resource.h>)
-#include <csignal>
 #include <sys/resource.h>
+#include <unistd.h>
+#include <csignal>
 #endif
 
 namespace fs = std::filesystem;
@@ -108,13 +110,29 @@ TEST_CASE("a path that cannot be written is named, with the system's reason") {
     CHECK(folder.entries() == 2);
 }
 
-TEST_CASE("a symbolic link stays a link: what it points to is replaced") {
+TEST_CASE("a symbolic link stays a link: what it points to is written, be it there or not") {
     const scratch_folder folder;
-    put(folder / "target", "old");
-    fs::create_symlink("target", folder / "link");
-    put(folder / "link", "new");
-    CHECK(fs::is_symlink(folder / "link"));
-    CHECK(text_of(folder / "target") == "new");
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("sub/other", folder / "link");
+    fs::create_symlink(folder / "sub/target", folder / "sub/other");
+    for (const std::string text : {"new", "newer"}) {
+        put(folder / "link", text);
+        CHECK(fs::is_symlink(folder / "link"));
+        CHECK(fs::is_symlink(folder / "sub/other"));
+        CHECK(text_of(folder / "sub/target") == text);
+    }
+    CHECK(folder.entries() == 4);
+    fs::create_symlink("circle", folder / "circle");
+    CHECK_THROWS_WITH(put(folder / "circle", "x"), containing("circle: Too many levels"));
+    CHECK(folder.entries() == 5);
+}
+
+TEST_CASE("a file that is replaced keeps its permissions") {
+    const scratch_folder folder;
+    put(folder / "private", "x");
+    fs::permissions(folder / "private", fs::perms::owner_read | fs::perms::owner_write);
+    put(folder / "private", "y");
+    CHECK(fs::status(folder / "private").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }
 
 TEST_CASE("devices are written to, never replaced by a file") {
@@ -126,6 +144,17 @@ TEST_CASE("devices are written to, never replaced by a file") {
 }
 
 #if __has_include(<sys/resource.h>)
+TEST_CASE("a pipe is written to, also through a link such as /dev/stdout") {
+    std::array<int, 2> ends{};
+    if (!fs::exists("/proc/self/fd") || pipe(ends.data()) != 0) return;
+    put("/proc/self/fd/" + std::to_string(ends[1]), "through");
+    std::array<char, 7> text{};
+    CHECK(read(ends[0], text.data(), text.size()) == 7);
+    CHECK(std::string(text.data(), text.size()) == "through");
+    close(ends[0]);
+    close(ends[1]);
+}
+
 TEST_CASE("when room runs out midway the old file stands, and nothing else") {
     const scratch_folder folder;
     put(folder / "a", "old");

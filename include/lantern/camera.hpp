@@ -99,8 +99,8 @@ inline void validate(const shutter& s) {
     if (s.close < s.open) refuse("shutter: close", to_text(s.close), "no earlier than open, " + to_text(s.open));
 }
 
-/// Where the camera is and which way it looks: an orthonormal basis in double, and half the extent of a film that stands
-/// at distance 1 along `forward`.
+/// Where the camera is and which way it looks: an orthonormal basis in double, and half the extent of a film that
+/// stands at distance 1 along `forward`.
 struct camera_frame {
     glm::dvec3 eye, right, up, forward;
     double half_width, half_height;
@@ -131,8 +131,8 @@ private:
 template <lens Lens = pinhole, exposure Shutter = instant>
 class camera {
 public:
-    /// Refuses, by std::invalid_argument: what is not finite, target = eye, `up` along the line of sight, a field of view
-    /// outside (0, pi), aspect <= 0, a negative radius, focus distance <= 0, a shutter that closes before it opens.
+    /// Refuses, by std::invalid_argument: what is not finite, target = eye, `up` along the line of sight, a field of
+    /// view outside (0, pi), aspect <= 0, a negative radius, focus distance <= 0, a shutter that closes before it opens.
     explicit camera(const view& v, Lens lens = {}, Shutter shutter = {}) : frame_(v), lens_(lens), shutter_(shutter) {
         validate(lens_);
         validate(shutter_);
@@ -143,8 +143,11 @@ public:
     template <sample_source Source>
     [[nodiscard]] friend auto shoot(const camera& c, glm::vec2 film, const Source& source) {
         const ray r = c.through_lens(film, source);
-        if constexpr (std::same_as<Shutter, instant>) return r;
-        else return timed_ray{r, c.moment(source)};
+        if constexpr (std::same_as<Shutter, instant>) {
+            return r;
+        } else {
+            return timed_ray{r, c.moment(source)};
+        }
     }
 
     /// Without lens and shutter there is nothing to draw.
@@ -163,7 +166,7 @@ private:
         return {glm::vec3(frame_.eye + offset), glm::vec3(direction / glm::length(direction))};
     }
 
-    /// Towards the point in focus, eye + f·d, from eye + l: along f·d - l, or d - l/f, which also holds at f = infinity.
+    /// From eye + l towards the point in focus, eye + f·d: along f·d - l, or d - l/f, which also holds at f = infinity.
     [[nodiscard]] ray through_lens(glm::vec2 film, const auto& source) const {
         const glm::dvec3 d = frame_.towards(film);
         if constexpr (std::same_as<Lens, pinhole>) {

@@ -24,7 +24,8 @@ public:
     static constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;  // 3.2 GB
 
     /// Refuses a side of 0 or beyond `longest_side`, and more than `most_pixels`: std::invalid_argument.
-    explicit image(glm::uvec2 size, glm::vec3 color = glm::vec3{0}) : size_(checked(size)), pixels_(area(size), color) {}
+    explicit image(glm::uvec2 size, glm::vec3 color = glm::vec3{0})
+        : size_(checked(size)), pixels_(area(size), color) {}
 
     [[nodiscard]] glm::uvec2 size() const { return size_; }
     [[nodiscard]] std::span<glm::vec3> pixels() { return pixels_; }
@@ -36,7 +37,9 @@ public:
 
     /// Row y from the top.
     [[nodiscard]] std::span<glm::vec3> row(std::uint32_t y) { return pixels().subspan(index(0, y), size_.x); }
-    [[nodiscard]] std::span<const glm::vec3> row(std::uint32_t y) const { return pixels().subspan(index(0, y), size_.x); }
+    [[nodiscard]] std::span<const glm::vec3> row(std::uint32_t y) const {
+        return pixels().subspan(index(0, y), size_.x);
+    }
 
     /// How many samples were left out while rendering because they were not finite. Not 0: something is wrong upstream.
     [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
@@ -55,7 +58,8 @@ private:
         const auto shown = [=] { return std::to_string(size.x) + " x " + std::to_string(size.y); };
         if (size.x == 0 || size.y == 0 || size.x > longest_side || size.y > longest_side)
             refuse("image: size", shown(), "1 to " + std::to_string(longest_side) + " on each side");
-        if (area(size) > most_pixels) refuse("image: size", shown(), "at most " + std::to_string(most_pixels) + " pixels");
+        if (area(size) > most_pixels)
+            refuse("image: size", shown(), "at most " + std::to_string(most_pixels) + " pixels");
         return size;
     }
 
@@ -85,8 +89,8 @@ public:
     [[nodiscard]] std::uint64_t count() const { return count_; }        ///< samples added, without the rejected ones
     [[nodiscard]] std::uint64_t rejected() const { return rejected_; }  ///< samples left out
 
-    /// Black when there are no samples. Few samples of a filter with negative lobes can have weights that sum to nothing
-    /// or less: then the mean without weights, which at least lies between the samples.
+    /// Black when there are no samples. A few samples of a filter with negative lobes can have weights that sum to
+    /// nothing or less: then the mean without weights, which at least lies between the samples.
     [[nodiscard]] glm::vec3 mean() const {
         if (weight_ > 0) return glm::vec3(weighted_ / weight_);
         return count_ > 0 ? glm::vec3(plain_ / static_cast<double>(count_)) : glm::vec3{0};

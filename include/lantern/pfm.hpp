@@ -47,8 +47,8 @@ inline std::uint64_t encode(std::ostream& out, const image& picture) {
 
 }  // namespace pfm
 
-/// Returns the number of pixels that are not finite. They are written as they are: this is the format to look for them in.
-/// Throws std::runtime_error when it cannot write; see save.hpp for what then becomes of the file.
+/// Returns the number of pixels that are not finite. They are written as they are: this is the format to look for them
+/// in. Throws std::runtime_error when it cannot write; see save.hpp for what then becomes of the file.
 inline std::uint64_t write_pfm(std::ostream& out, const image& picture) {
     return save(out, [&](std::ostream& to) { return pfm::encode(to, picture); });
 }
@@ -75,7 +75,9 @@ inline std::uint64_t write_pfm(const std::filesystem::path& path, const image& p
     const std::size_t channels = magic == "PF" ? 3 : 1;
     const auto bytes = from.bytes(4 * channels * size.x * size.y);
     const auto value = [&](std::size_t i) {
-        const auto byte = [&](std::size_t k) { return std::uint32_t{bytes[4 * i + (scale < 0 ? k : 3 - k)]} << (8 * k); };
+        const auto byte = [&](std::size_t k) {
+            return std::uint32_t{bytes[4 * i + (scale < 0 ? k : 3 - k)]} << (8 * k);
+        };
         return std::bit_cast<float>(byte(0) | byte(1) | byte(2) | byte(3));
     };
     image picture(size);

@@ -51,7 +51,8 @@ inline std::uint64_t write_ppm(const std::filesystem::path& path, const image& p
 /// wrong and where, whatever the bytes are. Stops behind the last pixel.
 [[nodiscard]] inline image read_ppm(std::istream& in) {
     byte_reader from(in, "ppm");
-    if (const auto magic = from.word(2); magic != "P6") from.fail("\"" + from.printable(magic) + "\" stands for \"P6\"");
+    if (const auto magic = from.word(2); magic != "P6")
+        from.fail("\"" + from.printable(magic) + "\" stands for \"P6\"");
     const glm::uvec2 size{from.number(image::longest_side, "width"), from.number(image::longest_side, "height")};
     const std::uint32_t largest = from.number(65'535, "the largest value");
     const std::size_t value_size = largest < 256 ? 1 : 2;
@@ -63,7 +64,7 @@ inline std::uint64_t write_ppm(const std::filesystem::path& path, const image& p
         return from_srgb(static_cast<float>(stored) / static_cast<float>(largest));
     };
     image picture(size);
-    for (std::size_t i = 0; glm::vec3& pixel : picture.pixels()) {
+    for (std::size_t i = 0; auto& pixel : picture.pixels()) {
         pixel = {value(i), value(i + 1), value(i + 2)};
         i += 3;
     }

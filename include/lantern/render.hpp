@@ -18,6 +18,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -26,10 +27,15 @@
 namespace lantern {
 
 struct render_options {
-    unsigned threads = 0;                  ///< 0: as many as the machine has
-    std::uint32_t tile = 16;               ///< side of the squares that are handed to threads; pixels
+    unsigned threads = 0;                    ///< 0: as many as the machine has
+    std::uint32_t tile = 16;                 ///< side of the squares that are handed to threads; pixels
     std::function<void(double)> progress{};  ///< told the fraction done after each tile; one call at a time; may throw
 };
+
+inline void validate(const render_options& o) {
+    if (o.tile == 0) refuse("render_options: tile", "0", "at least 1");
+    if (o.threads > 1024) refuse("render_options: threads", std::to_string(o.threads), "at most 1024");
+}
 
 /// Calls work(i) for i = 0 … count - 1, each once, on several threads: this one and threads - 1 more. When a call
 /// throws, no further i is begun, and the first exception is thrown from here once all threads are back.
@@ -62,11 +68,13 @@ void in_parallel(std::size_t count, unsigned threads, const Work& work) {
 /// What a shade is: called as shade(ray, source) it returns radiance. It is called from several threads at once.
 template <class Shade, class Camera, class Sampler>
 concept shade_for = requires(const Shade& shade, const Camera& cam, const Sampler& samples) {
-    { shade(shoot(cam, glm::vec2{}, samples.at(glm::uvec2{}, 0)), samples.at(glm::uvec2{}, 0)) } -> std::convertible_to<glm::vec3>;
+    {
+        shade(shoot(cam, glm::vec2{}, samples.at(glm::uvec2{}, 0)), samples.at(glm::uvec2{}, 0))
+    } -> std::convertible_to<glm::vec3>;
 };
 
 /// All samples of one pixel. It depends on nothing but the arguments, so an image does not depend on who renders what.
-template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, class Filter = box_filter>
+template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, pixel_filter Filter = box_filter>
 [[nodiscard]] accumulator render_pixel(glm::uvec2 pixel, glm::uvec2 size, const Camera& cam, const Sampler& samples,
                                        const Shade& shade, const Filter& filter = {}) {
     accumulator sum;
@@ -80,15 +88,17 @@ template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, class
     return sum;
 }
 
-/// Renders an image. The pixels are the same, to the last bit, for any number of threads and any tile size. Samples that
-/// are not finite are left out and counted in image::rejected(). Throws what `shade` or `progress` throws; refuses an
-/// image without pixels, a sampler without samples, and tiles of size 0.
-template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, class Filter = box_filter>
+/// Renders an image. The pixels are the same, to the last bit, for any number of threads and any tile size. Samples
+/// that are not finite are left out and counted in image::rejected(). Throws what `shade` or `progress` throws; refuses
+/// an image without pixels, a sampler without samples, tiles of size 0, more than 1024 threads, and what
+/// the filter's own `validate` refuses.
+template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, pixel_filter Filter = box_filter>
 [[nodiscard]] image render(glm::uvec2 size, const Camera& cam, const Sampler& samples, const Shade& shade,
                            const render_options& options = {}, const Filter& filter = {}) {
     image picture(size);
     if (samples.count() == 0) refuse("sampler: count", "0", "at least 1");
-    if (options.tile == 0) refuse("render_options: tile", "0", "at least 1");
+    validate(options);
+    if constexpr (requires { validate(filter); }) validate(filter);
 
     const glm::uvec2 tiles = (size - 1u) / options.tile + 1u;
     const std::size_t count = std::size_t{tiles.x} * tiles.y;

@@ -28,23 +28,28 @@ namespace lantern {
 
 /// A file that appears under its name only when it is complete. It is written beside its place, so that the move there
 /// stays within one file system and is atomic; unless committed it leaves nothing behind. Missing folders are created,
-/// a symbolic link stays one, and what is no regular file (a terminal, a pipe, /dev/null) is written to, not replaced.
+/// a symbolic link stays one, a replaced file keeps its permissions, and what is no regular file (a terminal, a pipe,
+/// /dev/null) is written to, not replaced.
 class pending_file {
 public:
-    explicit pending_file(std::filesystem::path path) : path_(std::move(path)) {
+    explicit pending_file(const std::filesystem::path& path) : path_(path), target_(path) {
         using std::filesystem::file_type;
-        std::error_code reason;
-        const file_type type = status(path_, reason).type();
-        if (type == file_type::directory || (!path_.empty() && !path_.has_filename()))
+        std::error_code ignored;
+        const auto there = status(path, ignored);
+        if (there.type() == file_type::directory || (!path.empty() && !path.has_filename()))
             fail(make_error_code(std::errc::is_a_directory));
-        if (type == file_type::regular || type == file_type::not_found || type == file_type::none) {
-            if (type == file_type::regular && is_symlink(path_)) path_ = canonical(path_);
-            create_folder(path_.parent_path());
-            claim_a_name_in(path_.parent_path());
-            open(beside_);
-        } else {
-            open(path_);
+        if (exists(there) && there.type() != file_type::regular) {
+            open(path);  // and no link followed by hand: /dev/stdout may lead to a pipe that has no name
+            return;
         }
+        for (int links = 0; is_symlink(symlink_status(target_, ignored)); ++links) {
+            if (links == 40) fail(make_error_code(std::errc::too_many_symbolic_link_levels));
+            target_ = target_.parent_path() / read_symlink(target_, ignored);
+        }
+        create_folder(target_.parent_path());
+        claim_a_name_in(target_.parent_path());
+        if (exists(there)) permissions(beside_, there.permissions(), ignored);
+        open(beside_);
     }
     pending_file(const pending_file&) = delete;
     pending_file& operator=(const pending_file&) = delete;
@@ -62,17 +67,22 @@ public:
         if (!out_) fail(last_error());
         if (beside_.empty()) return;
         std::error_code reason;
-        rename(beside_, path_, reason);
+        rename(beside_, target_, reason);
         if (reason) fail(reason);
         beside_.clear();
     }
 
 private:
-    std::filesystem::path path_;
+    std::filesystem::path path_;    // as given: what messages name
+    std::filesystem::path target_;  // where the symbolic links lead
     std::filesystem::path beside_;  // empty when writing to the path itself
     std::ofstream out_;
 
-    [[noreturn]] void fail(std::error_code reason) const { cannot_write(path_.string(), reason); }
+    [[noreturn]] void fail(std::error_code reason) const {
+        std::error_code ignored;
+        if (!beside_.empty()) remove(beside_, ignored);
+        cannot_write(path_.string(), reason);
+    }
 
     void create_folder(const std::filesystem::path& folder) const {
         std::error_code reason;
@@ -117,8 +127,8 @@ auto write_then(std::ostream& out, Write&& write, Finish&& finish) {
     }
 }
 
-/// Calls write(std::ostream&) and returns its result. Throws std::runtime_error, naming the path and the system's reason,
-/// when anything cannot be written; the path is then as it was before, also when `write` itself throws.
+/// Calls write(std::ostream&) and returns its result. Throws std::runtime_error, naming the path and the system's
+/// reason, when anything cannot be written; the path is then as it was before, also when `write` itself throws.
 template <std::invocable<std::ostream&> Write>
 auto save(const std::filesystem::path& path, Write&& write) {
     pending_file file(path);
