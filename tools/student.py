@@ -70,19 +70,25 @@ def first_error(output: str) -> str:
 
 
 def explain_build_failure(lab: Lab, file: pathlib.Path, output: str) -> str:
+    shown, handout = file.relative_to(ROOT), f"labs/{lab.folder}/README.md"
+    broken_promise = re.search(r"error: .*(YOUR HEADER LACKS|YOUR FUNCTION HAS)", output)
+    if broken_promise:
+        # The compiler names the function as name<7>{"encode"} (GCC, new Clangs), or in numbers.
+        asked = re.search(r'\bname<\d+>\{\{?"(\w+)"', output)
+        name = f"the function '{asked[1]}'" if asked else "one of the functions"
+        if "LACKS" in broken_promise[1]:
+            return (f"{shown} lacks {name}. It must be declared as in {handout}, \"What you write\",\n"
+                    f"by that name and within namespace {lab.name}.")
+        return (f"In {shown}, {name} takes other parameters or returns something else than the handout says.\n"
+                f"Compare its declaration with the one in {handout}, \"What you write\".")
+
     error = first_error(output)
-    handout = f"labs/{lab.folder}/README.md"
     failed = re.search(r"^FAILED: (\S+)", output, re.MULTILINE)
     mine = failed is None or "bind" in failed[1] or "main.cpp" in failed[1]
-    words = [f"{file.relative_to(ROOT)} does not compile yet. The first error:" if mine else
+    words = [f"{shown} does not compile yet. The first error:" if mine else
              "Something other than your header does not build. Is all of Lantern as it was? (git status) The first error:", "",
              *("  " + line for line in error.splitlines()), ""]
     missing = re.search(r"lantern/(\w+)\.hpp: No such file|'lantern/(\w+)\.hpp' file not found", error)
     if missing and (ROOT / "include" / "lantern" / f"{missing[1] or missing[2]}.hpp").exists():
         words.append(f"This lab may include these headers of the library, and what they include: {', '.join(lab.headers)}.")
-    elif "YOUR HEADER LACKS" in error or "YOUR FUNCTION HAS" in error:
-        asked = re.search(r"bind<contract::\w+::(\w+)>\((\w+)\)", output)
-        if asked:
-            words.append(f"It is about the function '{asked[1]}'.")
-        words.append(f"Compare your declarations with those in {handout}, \"What you write\".")
     return "\n".join(words).rstrip()

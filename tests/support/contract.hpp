@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
-#include <source_location>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +22,15 @@ struct name {
     [[nodiscard]] constexpr std::string_view view() const { return {text, Size - 1}; }
 };
 
+/// Where a test calls: std::source_location, which Clang 14 does not have yet.
+struct location {
+    const char* file;
+    unsigned line;
+    [[nodiscard]] static constexpr location here(const char* file = __builtin_FILE(), unsigned line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
+
 template <name Name, class Signature>
 struct function;
 
@@ -30,10 +38,10 @@ struct function;
 /// The trailing location is that of the test, for the judge to report when no answer comes.
 template <name Name, class Result, class... Arguments>
 struct function<Name, Result(Arguments...)> {
-    using target_type = Result (*)(Arguments..., const std::source_location&);
+    using target_type = Result (*)(Arguments..., location);
     inline static target_type target = nullptr;
 
-    Result operator()(Arguments... arguments, const std::source_location& caller = std::source_location::current()) const {
+    Result operator()(Arguments... arguments, location caller = location::here()) const {
         if (!target) throw std::logic_error("nothing is bound to the contract's " + std::string(Name.view()));
         return target(std::forward<Arguments>(arguments)..., caller);
     }
@@ -42,7 +50,7 @@ struct function<Name, Result(Arguments...)> {
     template <class Code>
     static void answer_with(Code code) {
         static Code answering = std::move(code);
-        target = [](Arguments... arguments, const std::source_location&) -> Result {
+        target = [](Arguments... arguments, location) -> Result {
             return answering(std::forward<Arguments>(arguments)...);
         };
     }

@@ -60,7 +60,8 @@ def tell(lab: labs.Lab, steps: list[verdict.Step], solution: bool) -> None:
         if step.passed:
             print(color.green(f"  ✓ step {i}  {step.name}"))
         elif step.gap:
-            print(f"  · step {i}  {step.name}: still to do")
+            own = step.gap.startswith(f"{lab.name} step {i}:")
+            print(f"  · step {i}  {step.name}: " + ("still to do" if own else f"waits for {step.gap.removeprefix(lab.name + ' ')}"))
         else:
             print(color.red(f"  ✗ step {i}  {step.name}") + ": " + summary(step))
             for line in details(step):

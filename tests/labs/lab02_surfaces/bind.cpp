@@ -21,7 +21,7 @@ struct asked {
     std::uint32_t index;
 };
 
-std::optional<lantern::hit> intersect(const asked& s, const ray&, interval range) { return (*s.answer)(s.index, range); }
+[[maybe_unused]] std::optional<lantern::hit> intersect(const asked& s, const ray&, interval range) { return (*s.answer)(s.index, range); }
 
 std::optional<contract::lab02::nearest> closest_of(std::uint32_t count, const contract::lab02::surfaces& answer, interval range) {
     std::vector<asked> all;
