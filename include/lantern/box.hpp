@@ -52,7 +52,9 @@ inline void validate(const box& b) {
     const int axis = enters ? near_axis : far_axis;
     const double side = enters == (r.direction[axis] > 0) ? -1 : 1;
 
-    precise::hit h{t, glm::clamp(precise::at(r, t), min, max), glm::dvec3(0), 0};
+    const glm::dvec3 along = precise::at(r, t);
+    if (std::isnan(along.x + along.y + along.z)) return std::nullopt;  // of the ray's own making
+    precise::hit h{t, glm::clamp(along, min, max), glm::dvec3(0), 0};
     h.point[axis] = side < 0 ? min[axis] : max[axis];  // on the face, exactly
     h.normal[axis] = side;
     return h;

@@ -44,10 +44,10 @@ inline void validate(const disk& s) {
 
 [[nodiscard]] inline std::optional<precise::hit> intersect(const disk& s, const precise::ray& r, interval range) {
     const glm::dvec3 c(s.center), n(s.normal);
-    const double radius = s.radius, t = precise::meet_plane(r, c, n);
+    const double radius = std::abs(double(s.radius)), t = precise::meet_plane(r, c, n);
     if (!contains(range, t)) return std::nullopt;
     const glm::dvec3 from_center = (r.origin - c) + t * r.direction;
-    if (!(glm::dot(from_center, from_center) <= radius * radius)) return std::nullopt;
+    if (!(glm::dot(from_center, from_center) <= radius * radius && radius < infinity)) return std::nullopt;
     const glm::dvec3 unit = n / glm::length(n), on = from_center - glm::dot(from_center, unit) * unit;
     const double error = 0x1p-50 * (precise::size(c) + precise::size(on));
     return precise::hit{t, c + on, unit, error};

@@ -76,8 +76,10 @@ struct plane_hit {
 
 /// Inside or outside by the signs of three edge functions in sheared space (Woop, Benthin and Wald, "Watertight ray/triangle
 /// intersection", JCGT 2(1), 2013), in double: the sign of an edge never differs between the two triangles that share it.
-/// t comes from the plane. No triangle is too small: only a determinant of 0 is a miss.
-[[nodiscard]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r, interval range) {
+/// t comes from the plane. No triangle is too small: only a determinant of 0 is a miss. (Inlined always,
+/// for the widened numbers to stay in registers.)
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r,
+                                                                               interval range) {
     const glm::dvec3 a(s.a), b(s.b), c(s.c), d = r.direction, length = glm::abs(d);
     const int kz = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
     const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
@@ -93,7 +95,7 @@ struct plane_hit {
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
     const double sum = u + v + w;
     if (!(sum != 0)) return std::nullopt;
-    const double wa = u / sum, wb = v / sum, wc = w / sum;
+    const double per_sum = 1 / sum, wa = u * per_sum, wb = v * per_sum, wc = w * per_sum;
 
     const glm::dvec3 e1 = b - a, e2 = c - a, to = a - r.origin, n = glm::cross(e1, e2);
     const double above = glm::dot(n, to), speed = glm::dot(n, d);
@@ -101,7 +103,7 @@ struct plane_hit {
     precise::plane_hit p{above / speed, n};
     if (!(std::abs(above) > scale * precise::size(to) && std::abs(speed) > scale * precise::size(d))) {
         const auto [nearest, farthest] = std::minmax({A.z * sz, B.z * sz, C.z * sz});
-        p = meet_plane_in_doubt(s, r, wa * (A.z * sz) + wb * (B.z * sz) + wc * (C.z * sz), nearest, farthest);
+        p = meet_plane_in_doubt(s, precise::ray(r), wa * (A.z * sz) + wb * (B.z * sz) + wc * (C.z * sz), nearest, farthest);
     }
     if (!contains(range, p.t)) return std::nullopt;
     const glm::dvec3 largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
