@@ -296,8 +296,9 @@ TEST_CASE("the surface area rule looks at few of a thousand spheres") {
         offers[rule] = counter.offers;
         nodes[rule++] = counter.nodes;
     }
-    INFO("offers a ray: " << offers[0] / 2e3 << " " << offers[1] / 2e3 << " " << offers[2] / 2e3 << "; nodes "
-                          << nodes[0] / 2e3 << " " << nodes[1] / 2e3 << " " << nodes[2] / 2e3);
+    const auto a_ray = [](std::uint64_t count) { return static_cast<double>(count) / 2000; };
+    INFO("offers a ray: " << a_ray(offers[0]) << " " << a_ray(offers[1]) << " " << a_ray(offers[2]) << "; nodes "
+                          << a_ray(nodes[0]) << " " << a_ray(nodes[1]) << " " << a_ray(nodes[2]));
     CHECK(offers[2] < 10 * 2000);
     CHECK(nodes[2] < 40 * 2000);
     CHECK(offers[2] <= offers[1]);
