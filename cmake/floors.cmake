@@ -58,6 +58,7 @@ set(LANTERN_FLOOR_2
   plane
   rectangle
   rectangle_light
+  rotating
   sky
   sphere
   sphere_light

@@ -15,7 +15,7 @@ using lantern::ray;
 namespace {
 
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
-constexpr int count = 20000;
+constexpr int count = 10000;
 
 /// Three slabs with 113 bits; a face's plane counts as the box.
 bool truly_overlaps(const aabb& box, const ray& r, interval range) {
@@ -100,8 +100,9 @@ TEST_CASE("no ray that meets a box is told that it does not") {
     const auto check = [&](const aabb& box, const ray& r, interval range) {
         if (!truly_overlaps(box, r, range)) return;
         ++met;
+        if (overlaps(box, r, range)) return;
         CAPTURE(box.min, box.max, r.origin, r.direction, range.min, range.max);
-        REQUIRE(overlaps(box, r, range));
+        FAIL("lost");
     };
     SECTION("random boxes and rays") {
         for (int i = 0; i < count; ++i) check(random_box(d, 3), {d.in_cube(5), d.in_cube()}, {});
