@@ -72,11 +72,11 @@ std::vector<thing> world() {
         if (is_written<Shape>())
             for (const Shape& shape : shapes) things.push_back({shape});
     };
+    add(std::type_identity<lab02::plane>{}, {{{0, 0, 0}, {0, 1, 0}}});
     add(std::type_identity<lab02::sphere>{}, {{{-1.1f, 1, 0}, 1}, {{0.4f, 0.45f, 1.5f}, 0.45f}, {{-0.6f, 0.25f, 1.9f}, 0.25f}});
     // A pyramid of four faces, seen counter-clockwise from outside.
     const glm::vec3 top{1.5f, 1.9f, 0}, front{1.3f, 0, 1.2f}, right{2.6f, 0, -0.6f}, left{0.4f, 0, -0.8f};
     add(std::type_identity<lab02::triangle>{}, {{front, right, top}, {right, left, top}, {left, front, top}, {front, left, right}});
-    add(std::type_identity<lab02::plane>{}, {{{0, 0, 0}, {0, 1, 0}}});
     return things;
 }
 
