@@ -18,10 +18,10 @@ static_assert(lantern::sampler<sobol>);
 
 TEST_CASE("sobol: the numbers are the same on every machine, to the last bit") {
     const auto packed = sobol{.samples = 64, .seed = 1}.at({12, 34}, 5);
-    CHECK(packed.draw2(purpose::scatter) == glm::vec2(14899595, 4265351) * 0x1p-24f);
+    CHECK(packed.draw2(purpose::scatter) == glm::vec2(12286961, 13413033) * 0x1p-24f);
     CHECK(packed.draw1(purpose::time) == 7207203 * 0x1p-24f);
     const auto bounced = sobol{.samples = 10, .seed = 1}.at({12, 34}, 5).branch(1);
-    CHECK(bounced.draw1(purpose::time, 2) == 3085013 * 0x1p-24f);
+    CHECK(bounced.draw1(purpose::time, 2) == 4045807 * 0x1p-24f);
 }
 
 TEST_CASE("sobol: a number depends on what it is for, and on nothing else") {

@@ -66,10 +66,10 @@ public:
         : pattern_(p), key_(key), index_(index) {}
 
     [[nodiscard]] float draw1(purpose p, std::uint32_t which = 0) const {
-        return to_unit(pattern_.place1(index_, hash(key_, low(std::uint64_t(p)), which, 1u)));
+        return to_unit(pattern_.place1(index_, hash(key_, static_cast<std::uint32_t>(p), which, 1u)));
     }
     [[nodiscard]] glm::vec2 draw2(purpose p, std::uint32_t which = 0) const {
-        const glm::uvec2 point = pattern_.place2(index_, hash(key_, low(std::uint64_t(p)), which, 2u));
+        const glm::uvec2 point = pattern_.place2(index_, hash(key_, static_cast<std::uint32_t>(p), which, 2u));
         return {to_unit(point.x), to_unit(point.y)};
     }
     [[nodiscard]] pattern_source branch(std::uint32_t k) const { return {pattern_, hash(key_, k), index_}; }
