@@ -178,7 +178,7 @@ TEST_CASE("what is in focus forms a plane, not a sphere", "[step2]") {
 // ---- Step 3: a ray through the lens --------------------------------------------------------------------------------
 
 TEST_CASE("every ray of a point of the film passes through its point in focus", "[step3]") {
-    INFO(hint("nothing is in focus", "the direction must change with the origin: it goes from the point of the lens to the point in focus", "§3 Through the lens"));
+    INFO(hint("only what is far away is sharp, or nothing at all", "the direction must change with the origin: it goes from the point of the lens to the point in focus", "§3 Through the lens"));
     const place camera;
     for (const glm::vec2 film : film_points)
         for (const glm::vec2 xi : jittered(6, 3)) {
