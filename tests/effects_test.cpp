@@ -56,7 +56,7 @@ TEST_CASE("all effects together have the mean and the error that are known for t
 }
 
 TEST_CASE("more samples a pixel: mean and error are those of the finer strata") {
-    check(render({.film = true}, {.side = 16, .renderings = 4000}));
+    check(render({.film = true}, {.side = 8, .renderings = 4000}));
     check(render({.shadow = true, .time = true}, {.side = 8, .renderings = 4000}));
 }
 
