@@ -146,9 +146,19 @@ TEST_CASE("far, near, inside, grazing, at any size, a sphere is hit right to hal
         const float radius = GENERATE(1e6f, 1e12f);
         const sphere s{{0, -radius, 0}, radius};
         for (int i = 0; i < count; ++i) {
-            const glm::vec3 from(d.between(-10, 10), d.magnitude_between(-7, 2), d.between(-10, 10));
-            const glm::vec3 to(d.between(-10, 10), 0, d.between(-10, 10));
+            const glm::vec3 from(d.between(-10, 10), d.magnitude_between(-7, 5), d.between(-10, 10));
+            const float spread = d.magnitude_between(-4, 1);
+            const glm::vec3 to(d.between(-spread, spread), 0, d.between(-spread, spread));
             judge(all, s, {from, i % 2 == 0 ? to - from : glm::vec3(d.on_sphere())});
+        }
+    }
+    SECTION("a slope of radius 1e6 or 1e12, through the origin") {
+        const float fifth = GENERATE(0x1p18f, 0x1p38f);
+        const sphere s{{-3 * fifth, -4 * fifth, 0}, 5 * fifth};
+        for (int i = 0; i < count; ++i) {
+            const glm::vec3 to = d.magnitude_between(-4, 1) * glm::vec3(4, -3, 5) * d.between(-1, 1);
+            const glm::vec3 from = to + d.magnitude_between(-7, 11) * (d.in_cube() + glm::vec3(1.1f, 1.2f, 0));
+            if (from != to) judge(all, s, {from, to - from});
         }
     }
     SECTION("grazing") {

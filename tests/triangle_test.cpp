@@ -191,9 +191,10 @@ TEST_CASE("tiny, thin, slanting or huge, a triangle is hit right to half an ulp"
         }
     }
     SECTION("huge, and met near the origin") {
+        const double size = GENERATE(1e6, 1e12);
         for (int i = 0; i < count; ++i) {
             const glm::dvec3 a = d.on_sphere(), b = glm::normalize(glm::cross(a, d.on_sphere())), c = -a - b;
-            const triangle s{glm::vec3(1e6 * a), glm::vec3(1e6 * b), glm::vec3(1e6 * c)};
+            const triangle s{glm::vec3(size * a), glm::vec3(size * b), glm::vec3(size * c)};
             judge(all, s, {glm::vec3(d.on_sphere()), glm::vec3(d.on_sphere())});
         }
     }
