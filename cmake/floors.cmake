@@ -27,6 +27,7 @@ set(LANTERN_FLOOR_1
   aabb
   camera
   filter
+  moving_camera
   pfm
   png
   ppm

@@ -127,6 +127,13 @@ private:
     [[nodiscard]] static glm::dvec3 unit(glm::dvec3 v) { return v / glm::length(v); }
 };
 
+/// T = T0 + ξ(T1 - T0). In double, so that the result, rounded to float, is never beyond T1.
+template <sample_source Source>
+[[nodiscard]] float moment(const shutter& s, const Source& source) {
+    const double open = s.open, close = s.close;
+    return static_cast<float>(open + double{source.draw1(purpose::time)} * (close - open));
+}
+
 /// A camera is made of what it needs: without a lens nothing about lenses is stored, computed or drawn.
 template <lens Lens = pinhole, exposure Shutter = instant>
 class camera {
@@ -146,7 +153,7 @@ public:
         if constexpr (std::same_as<Shutter, instant>) {
             return r;
         } else {
-            return timed_ray{r, c.moment(source)};
+            return timed_ray{r, moment(c.shutter_, source)};
         }
     }
 
@@ -176,12 +183,6 @@ private:
             const glm::dvec3 l = double{a.x} * frame_.right + double{a.y} * frame_.up;
             return from(l, d - l / double{lens_.focus_distance});
         }
-    }
-
-    /// T = T0 + ξ(T1 - T0). In double, so that the result, rounded to float, is never beyond T1.
-    [[nodiscard]] float moment(const auto& source) const {
-        const double open = shutter_.open, close = shutter_.close;
-        return static_cast<float>(open + double{source.draw1(purpose::time)} * (close - open));
     }
 };
 
