@@ -66,14 +66,16 @@ def run_step(program: pathlib.Path, number: int, name: str, seconds: float) -> S
         others = "".join(f"~{quoted(test.name)}" for test in step.tests)
         status, tests, printed = run_tests(program, f"[step{number}]{others}", end - time.monotonic())
         step.printed = step.printed or printed
-        if step.tests and not tests:
-            break  # all were run before
-        step.tests += tests
+        seen = {test.name for test in step.tests}
+        new = [test for test in tests if test.name not in seen]
+        if seen and not new:
+            break  # all have been run
+        step.tests += new
         if status is None:
             step.trouble = f"did not finish in {seconds:g} s: an endless loop?"
         elif status < 0:
             step.trouble = step.trouble or f"crashed ({signal_name(-status)})"
-            if tests and not tests[-1].passed and time.monotonic() < end:
+            if new and not new[-1].passed and time.monotonic() < end:
                 continue
         elif not step.tests:
             step.trouble = "no test was run" + (f" (exit status {status})" if status else "")

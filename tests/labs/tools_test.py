@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: MIT
+"""The tools behind `./lab check`: tools_test.py COMPILER-AND-OPTIONS..."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+import labs  # noqa: E402
+import ppm_to_png  # noqa: E402
+import student  # noqa: E402
+import verdict  # noqa: E402
+
+COMPILER: list[str] = []
+
+LAB = labs.Lab("lab00_example", "an example", ["todo"], ["the first step", "the second step"])
+
+REGION = """int f() {
+    // BEGIN SOLUTION
+    return 42;
+    // END SOLUTION
+    // STARTER: return lantern::todo("lab00 step 1: f");
+}
+"""
+
+
+class Starters(unittest.TestCase):
+    def test_the_starter_has_the_starter_line_for_the_region(self):
+        self.assertEqual(labs.starter_of(REGION), 'int f() {\n    return lantern::todo("lab00 step 1: f");\n}\n')
+
+    def test_a_region_that_is_not_closed_is_refused(self):
+        for broken in (REGION.replace("    // END SOLUTION\n", ""), REGION.replace("    // BEGIN SOLUTION\n", ""), REGION + "// BEGIN SOLUTION\n"):
+            with self.assertRaises(labs.Problem):
+                labs.starter_of(broken)
+
+    def test_no_starter_holds_anything_of_a_solution(self):
+        for lab in labs.all_labs():
+            starter = labs.starter_of(lab.solution_file.read_text(encoding="utf-8"))
+            for mark in ("SOLUTION", "STARTER"):
+                self.assertNotIn(mark, starter, lab.folder)
+
+
+class Mutants(unittest.TestCase):
+    def read(self, text: str) -> labs.Mutant:
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "wrong.mutant"
+            path.write_text(text, encoding="utf-8")
+            return labs.read_mutant(path)
+
+    def test_a_mutant_replaces_what_stands_once_in_the_solution(self):
+        mutant = self.read("who: everyone\ncaught by: f: gives 42\ncaught by: g\n--- find\n42\n--- replace\n41\n")
+        self.assertEqual(mutant.caught_by, ["f: gives 42", "g"])
+        self.assertIn("return 41;", labs.mutate(REGION, mutant))
+
+    def test_what_is_not_found_or_found_twice_is_refused(self):
+        for text in ("43", "SOLUTION"):
+            mutant = self.read(f"who: everyone\ncaught by: f\n--- find\n{text}\n--- replace\n41\n")
+            with self.assertRaises(labs.Problem):
+                labs.mutate(REGION, mutant)
+
+    def test_a_mutant_names_its_maker_its_tests_and_its_edits(self):
+        for text in ("caught by: f\n--- find\n1\n--- replace\n2\n", "who: I\n--- find\n1\n--- replace\n2\n", "who: I\ncaught by: f\n",
+                     "who: I\ncaught by: f\n--- find\n1\n"):
+            with self.assertRaises(labs.Problem):
+                self.read(text)
+
+
+def report(*tests: str) -> str:
+    return '<?xml version="1.0"?><Catch name="x"><Group name="x">' + "".join(tests)
+
+
+PASSED = '<TestCase name="good"><OverallResult success="true"/></TestCase>'
+FAILED = """<TestCase name="bad"><Info>
+  symptom: dark
+cause: a sign
+read: §1
+</Info><Info> i := 3 </Info><Expression success="false" filename="/a/suite.cpp" line="7"><Original>f() == 1</Original>
+<Expanded>2 == 1</Expanded></Expression><OverallResult success="false"/></TestCase>"""
+UNFINISHED = """<TestCase name="gap"><Expression success="false" filename="s.cpp" line="9"><Original>g()</Original><Expanded>g()</Expanded>
+<Exception filename="s.cpp" line="9">still to do: lab00 step 1: g</Exception></Expression><OverallResult success="false"/></TestCase>"""
+
+
+class Reports(unittest.TestCase):
+    def test_what_a_test_says_is_found(self):
+        good, bad, gap = verdict.read_report((report(PASSED, FAILED, UNFINISHED) + "</Group></Catch>").encode())
+        self.assertTrue(good.passed)
+        self.assertFalse(bad.passed)
+        self.assertEqual((bad.asked, bad.found, bad.where), ("f() == 1", "2 == 1", "suite.cpp:7"))
+        self.assertEqual(bad.hint, {"symptom": "dark", "cause": "a sign", "read": "§1"})
+        self.assertEqual(bad.notes, ["i := 3"])
+        self.assertEqual(gap.gap, "lab00 step 1: g")
+
+    def test_where_a_report_ends_in_the_middle_its_last_test_failed(self):
+        tests = verdict.read_report((report(PASSED) + '<TestCase name="dead">\n  ').encode())
+        self.assertEqual([(test.name, test.passed) for test in tests], [("good", True), ("dead", False)])
+
+    def test_nothing_is_no_report(self):
+        self.assertEqual(verdict.read_report(b""), [])
+        self.assertEqual(verdict.read_report(b"All tests passed (12 assertions in 3 test cases)"), [])
+
+
+class Steps(unittest.TestCase):
+    """Programs that behave as student code may."""
+
+    def judge(self, body: str, seconds: float = 10) -> list[verdict.Step]:
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "program"
+            program.write_text(f"#!{sys.executable}\nimport os, sys, time\nselection, out = sys.argv[1], sys.argv[5]\n"
+                               f"def write(text):\n    with open(out, 'w') as file: file.write(text)\n{body}", encoding="utf-8")
+            program.chmod(0o755)
+            return verdict.judge(program, LAB, seconds)
+
+    def test_each_step_is_asked_for_its_own_tests(self):
+        steps = self.judge(f"write({report(PASSED)!r} if selection == '[step1]' else {report(FAILED)!r})\nsys.exit(selection != '[step1]')")
+        self.assertEqual([step.passed for step in steps], [True, False])
+
+    def test_an_endless_loop_ends(self):
+        first, second = self.judge(f"write({report(PASSED)!r} + '<TestCase name=\"slow\">')\nif selection == '[step1]': time.sleep(60)", 0.7)
+        self.assertIn("did not finish in 0.7 s", first.trouble)
+        self.assertEqual(first.failures[0].name, "slow")
+
+    def test_a_crash_fails_one_test_and_the_others_are_run_again(self):
+        body = (f"if 'dead' in selection:\n    write({report(PASSED)!r})\nelse:\n"
+                f"    write({report()!r} + '<TestCase name=\"dead, and [gone]\">')\n    os.kill(os.getpid(), 11)")
+        first = self.judge(body)[0]
+        self.assertIn("crashed", first.trouble)
+        self.assertFalse(first.passed)
+        self.assertEqual([(test.name, test.passed) for test in first.tests], [("dead, and [gone]", False), ("good", True)])
+
+    def test_a_crash_without_end_ends(self):
+        self.assertIn("crashed", self.judge(f"write({report(FAILED)!r})\nos.kill(os.getpid(), 6)")[0].trouble)
+
+    def test_a_program_that_runs_no_test_has_not_passed(self):
+        for body in ("sys.exit(0)", "sys.exit(3)", f"write({report()!r})", "print('All tests passed (12 assertions in 3 test cases)')"):
+            for step in self.judge(body):
+                self.assertFalse(step.passed, body)
+                self.assertIn("no test was run", step.trouble)
+
+    def test_a_program_that_fails_without_a_failing_test_has_not_passed(self):
+        self.assertIn("exit status 3", self.judge(f"write({report(PASSED)!r})\nsys.exit(3)")[0].trouble)
+
+    def test_what_the_code_prints_is_kept_and_does_no_harm(self):
+        first = self.judge(f"print('<TestCase name=\"fake\">')\nwrite({report(PASSED)!r})")[0]
+        self.assertTrue(first.passed)
+        self.assertEqual(first.printed, '<TestCase name="fake">')
+
+
+class Builds(unittest.TestCase):
+    """The messages about headers that do not compile, with the compiler at hand."""
+
+    def explanation(self, *edits: tuple[str, str]) -> str:
+        lab = labs.find("01")
+        header = lab.solution_file.read_text(encoding="utf-8")
+        for old, new in edits:
+            self.assertIn(old, header)
+            header = header.replace(old, new)
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / lab.folder).mkdir()
+            (root / lab.folder / lab.header).write_text(header, encoding="utf-8")
+            (root / "lantern").mkdir()  # the library as the lab may see it
+            (root / "lantern" / "todo.hpp").symlink_to(ROOT / "include" / "lantern" / "todo.hpp")
+            command = [*COMPILER, "-fsyntax-only", f"-I{root}", f"-I{ROOT}/tests/support", str(lab.tests / "bind.cpp")]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        return student.explain_build_failure(lab, lab.student_file, done.stderr)
+
+    def test_a_missing_function_is_named(self):
+        text = self.explanation(("inline float encode(", "inline float encod("), ("quantise(encode(", "quantise(encod("))
+        self.assertIn("lacks the function 'encode'", text)
+        self.assertIn("README.md", text)
+
+    def test_a_function_with_another_result_is_named(self):
+        text = self.explanation(("inline std::uint8_t quantise(float encoded)", "inline void quantise(float)"),
+                                ("if (!(encoded > 0)) return 0;", ""), ("if (encoded >= 1) return 255;", ""),
+                                ("return static_cast<std::uint8_t>(255 * encoded + 0.5f);", ""),
+                                ("file += static_cast<char>(quantise(encode(channel)));", "file += char(encode(channel));"))
+        self.assertIn("'quantise'", text)
+        self.assertIn("something else than the handout says", text)
+
+    def test_the_first_error_is_shown(self):
+        text = self.explanation(("return glm::normalize", "retrun glm::normalize"))
+        self.assertIn("retrun", text)
+        self.assertLess(len(text.splitlines()), 12)
+        self.assertNotIn("Traceback", text)
+
+    def test_a_header_that_the_lab_may_not_use_is_explained(self):
+        text = self.explanation(("#include <lantern/todo.hpp>", "#include <lantern/todo.hpp>\n#include <lantern/srgb.hpp>"))
+        self.assertIn("srgb.hpp", text)
+        self.assertIn("may include these headers of the library, and what they include: todo", text)
+
+
+class Pictures(unittest.TestCase):
+    def convert(self, data: bytes) -> bytes | None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "picture.ppm"
+            path.write_bytes(data)
+            made = ppm_to_png.convert(path)
+            return made.read_bytes() if made else None
+
+    def test_both_kinds_of_ppm_give_the_same_png(self):
+        binary = self.convert(b"P6\n2 1\n255\n\x01\x02\x03\x0a\x20\xff")
+        self.assertEqual(binary, self.convert(b"P3\n2 1\n255\n1 2 3\n10 32 255\n"))
+        self.assertIn(zlib.compress(b"\0\x01\x02\x03\x0a\x20\xff", 6), binary)
+
+    def test_what_is_no_ppm_is_left_alone(self):
+        for data in (b"", b"P6", b"P6\n2 1\n255\n\x01", b"P6\n-2 -1\n255\n123456", b"P6\n2 1\n65535\n123456", b"P6\nx y\n255\n", b"P6\n99999999 99999999\n255\n",
+                     b"P3\n1 1\n255\n1 2 300\n", b"GIF89a"):
+            self.assertIsNone(self.convert(data), data)
+
+
+if __name__ == "__main__":
+    COMPILER = sys.argv[1:]
+    unittest.main(argv=sys.argv[:1])
