@@ -42,17 +42,21 @@ struct seen_sphere {
 
 [[nodiscard]] inline double solid_angle(const seen_sphere& s) { return solid_angle(s.directions); }
 
-/// Uniform by solid angle. In the triangle of viewer, centre and point the law of sines gives the angle at the point,
-/// hence the one at the centre, without the difference of two nearly equal distances.
-[[nodiscard]] inline seen_point to_seen(const seen_sphere& s, glm::vec2 xi) {
+/// The sphere's outward unit normal at a point drawn uniformly by solid angle. In the triangle of viewer, centre and point
+/// the law of sines gives the angle at the point, hence the one at the centre, without the difference of two nearly equal
+/// distances.
+[[nodiscard]] inline glm::dvec3 seen_normal(const seen_sphere& s, glm::vec2 xi) {
     const glm::dvec3 local = to_cone(s.directions, xi);
     const double sine = std::sqrt(local.x * local.x + local.y * local.y), cosine = local.z;
     const double q = std::min(1.0, sine * s.distance / s.radius), p = std::sqrt((1 - q) * (1 + q));
     const double outward = q * cosine - p * sine, towards = p * cosine + q * sine;
     const double scale = sine > 0 ? outward / sine : 0;
-    const glm::dvec3 normal = local.x * scale * glm::dvec3(s.frame.u) + local.y * scale * glm::dvec3(s.frame.v) -
-                              towards * glm::dvec3(s.frame.w);
-    return {s.center + s.radius * normal, cone_density(s.directions)};
+    return local.x * scale * glm::dvec3(s.frame.u) + local.y * scale * glm::dvec3(s.frame.v) - towards * glm::dvec3(s.frame.w);
+}
+
+/// The point with that normal.
+[[nodiscard]] inline seen_point to_seen(const seen_sphere& s, glm::vec2 xi) {
+    return {s.center + s.radius * seen_normal(s, xi), cone_density(s.directions)};
 }
 
 /// A rectangle as a point sees it, after Ureña, Fajardo and King, "An area-preserving parametrization for spherical
