@@ -38,9 +38,9 @@ bool disc(glm::dvec2 p) { return (p.x - .4) * (p.x - .4) + (p.y - .45) * (p.y - 
 double smooth(glm::dvec2 p) { return std::exp(-p.x * p.x - p.y * p.y); }
 bool pen4(glm::dvec2 p, glm::dvec2 q) { return p.x + .6 * p.y + .8 * q.x + .5 * q.y < 1.3; }
 
-const double exact_edge = .7 - golden / 2;                                                      // .390983005625
-const double exact_disc = std::numbers::pi * .35 * .35;                                         // .384845100065
-const double exact_smooth = std::pow(std::sqrt(std::numbers::pi) / 2 * std::erf(1.0), 2);       // .557746285351
+const double exact_edge = .7 - golden / 2;                                                 // .390983005625
+const double exact_disc = std::numbers::pi * .35 * .35;                                    // .384845100065
+const double exact_smooth = std::pow(std::sqrt(std::numbers::pi) / 2 * std::erf(1.0), 2);  // .557746285351
 
 /// P(Σ wᵢUᵢ < d) = 1/(n! Πwᵢ) Σ over subsets S of (-1)^|S| max(0, d - Σ of S)ⁿ: .371076388889.
 double exact_pen4() {
@@ -70,7 +70,8 @@ experiment in_the_square(Make make) {
             const glm::dvec2 p(set.at({0, 0}, i).draw2(lantern::purpose::film));
             sum[0] += edge(p), sum[1] += disc(p), sum[2] += smooth(p);
         }
-        return errors{sum[0] / set.count() - exact_edge, sum[1] / set.count() - exact_disc, sum[2] / set.count() - exact_smooth};
+        return errors{sum[0] / set.count() - exact_edge, sum[1] / set.count() - exact_disc,
+                      sum[2] / set.count() - exact_smooth};
     };
 }
 
@@ -81,7 +82,8 @@ experiment in_four_dimensions(Make make) {
         double sum = 0;
         for (std::uint32_t i = 0; i < set.count(); ++i) {
             const auto source = set.at({0, 0}, i);
-            sum += pen4(glm::dvec2(source.draw2(lantern::purpose::film)), glm::dvec2(source.draw2(lantern::purpose::lens)));
+            sum += pen4(glm::dvec2(source.draw2(lantern::purpose::film)),
+                        glm::dvec2(source.draw2(lantern::purpose::lens)));
         }
         return errors{sum / set.count() - exact};
     };
@@ -102,14 +104,18 @@ struct contender {
 
 const std::vector<contender> contenders{
     {"random", false, in_the_square(make_independent)},
-    {"N-rooks", false, in_the_square([](std::uint32_t n, std::uint64_t seed) { return lantern::n_rooks{n, seed}; })},
+    {"N-rooks", false, in_the_square([](std::uint32_t n, std::uint64_t seed) {
+         return lantern::n_rooks{n, seed};
+     })},
     {"jittered", false, in_the_square(make_jittered)},
     {"multi-jittered", false,
      in_the_square([](std::uint32_t n, std::uint64_t seed) { return lantern::multi_jittered::of(n, seed); })},
-    {"correlated multi-jittered", false,
-     in_the_square([](std::uint32_t n, std::uint64_t seed) { return lantern::correlated_multi_jittered{n, seed}; })},
-    {"Halton, rotated", false,
-     in_the_square([](std::uint32_t n, std::uint64_t seed) { return lantern::halton{n, seed}; })},
+    {"correlated multi-jittered", false, in_the_square([](std::uint32_t n, std::uint64_t seed) {
+         return lantern::correlated_multi_jittered{n, seed};
+     })},
+    {"Halton, rotated", false, in_the_square([](std::uint32_t n, std::uint64_t seed) {
+         return lantern::halton{n, seed};
+     })},
     {"Owen-scrambled Sobol", false, in_the_square(make_sobol)},
     {"random", true, in_four_dimensions(make_independent)},
     {"jittered, 2D + 2D", true, in_four_dimensions(make_jittered)},
@@ -198,7 +204,8 @@ std::vector<row> measure(const options& wish) {
                 std::fprintf(stderr, "\r%3zu %%  %-28.*s%5u ", 100 * done / (contenders.size() * counts.size()),
                              static_cast<int>(c.name.size()), c.name.data(), counts[k]);
             std::vector<errors> found(wish.seeds);
-            lantern::in_parallel(wish.seeds, wish.threads, [&](std::size_t s) { found[s] = c.run(counts[k], wish.first + s); });
+            lantern::in_parallel(wish.seeds, wish.threads,
+                                 [&](std::size_t s) { found[s] = c.run(counts[k], wish.first + s); });
             for (std::size_t q = 0; q < width; ++q) {
                 double sum = 0, squares = 0;
                 for (const errors& e : found) sum += e[q], squares += e[q] * e[q];
@@ -228,7 +235,8 @@ void print_table(const std::vector<row>& rows, const options& wish) {
     std::printf("%8s%9s%7s\n", "slope", "worst", "|z|");
     std::string_view last;
     for (const row& r : rows) {
-        std::printf("%-8s%-29.*s", std::string(r.integrand == last ? "" : r.integrand).c_str(), length(r.sampler), r.sampler.data());
+        std::printf("%-8s%-29.*s", std::string(r.integrand == last ? "" : r.integrand).c_str(), length(r.sampler),
+                    r.sampler.data());
         double worst = -1, z = 0;
         for (std::size_t k = 0; k < counts.size(); ++k) {
             std::printf("%9.2e", r.rmse[k]);
@@ -236,8 +244,10 @@ void print_table(const std::vector<row>& rows, const options& wish) {
             z = std::max(z, std::abs(r.z[k]));
         }
         std::printf("%8.3f", r.slope);
-        if (r.reference != nullptr) std::printf("%+8.1f%%", 100 * worst);
-        else std::printf("%9s", "");
+        if (r.reference != nullptr)
+            std::printf("%+8.1f%%", 100 * worst);
+        else
+            std::printf("%9s", "");
         std::printf("%7.1f\n", z);
         last = r.integrand;
     }
@@ -257,7 +267,8 @@ void print_json(const std::vector<row>& rows) {
     for (const row& r : rows)
         for (std::size_t k = 0; k < counts.size(); ++k) {
             std::printf("%s\n{\"integrand\":\"%.*s\",\"sampler\":\"%.*s\",\"n\":%u,\"rmse\":%.6e,\"z\":%.3f}", comma,
-                        length(r.integrand), r.integrand.data(), length(r.sampler), r.sampler.data(), counts[k], r.rmse[k], r.z[k]);
+                        length(r.integrand), r.integrand.data(), length(r.sampler), r.sampler.data(), counts[k],
+                        r.rmse[k], r.z[k]);
             comma = ",";
         }
     std::printf("],\n\"slopes\":[");
@@ -289,7 +300,8 @@ bool passes(const std::vector<row>& rows, const options& wish) {
     for (const row& r : rows) {
         for (std::size_t k = 0; k < counts.size(); ++k) {
             const std::string at = "N = " + std::to_string(counts[k]) + ": ";
-            if (!(std::abs(r.z[k]) < 4)) fail(r, at + "the mean is off by " + shown("%.2f", r.z[k]) + " standard errors");
+            if (!(std::abs(r.z[k]) < 4))
+                fail(r, at + "the mean is off by " + shown("%.2f", r.z[k]) + " standard errors");
             if (r.reference == nullptr) continue;
             ++cells;
             if (!(r.rmse[k] <= (1 + above) * r.reference->rmse[k]))
@@ -299,7 +311,8 @@ bool passes(const std::vector<row>& rows, const options& wish) {
             fail(r, "slope " + shown("%.3f", r.slope) + " against " + shown("%.2f", r.reference->slope));
     }
     if (cells != counts.size() * expected.size()) {
-        std::fprintf(stderr, "FAILED  only %zu of the %zu cells were measured\n", cells, counts.size() * expected.size());
+        std::fprintf(stderr, "FAILED  only %zu of the %zu cells were measured\n", cells,
+                     counts.size() * expected.size());
         ++failures;
     }
     if (failures == 0)
@@ -313,7 +326,8 @@ Number number(std::string_view option, std::string_view text, Number least) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || value < least)
-        lantern::refuse(std::string(option), "'" + std::string(text) + "'", "a whole number, at least " + std::to_string(least));
+        lantern::refuse(std::string(option), "'" + std::string(text) + "'",
+                        "a whole number, at least " + std::to_string(least));
     return value;
 }
 
@@ -322,14 +336,21 @@ options parse(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         const auto value = [&]() -> std::string_view { return ++i < argc ? argv[i] : ""; };
-        if (word == "--seeds") wish.seeds = number<std::uint32_t>(word, value(), 2);
-        else if (word == "--first") wish.first = number<std::uint64_t>(word, value(), 0);
-        else if (word == "--threads") wish.threads = number<unsigned>(word, value(), 1);
-        else if (word == "--csv") wish.csv = true;
-        else if (word == "--json") wish.json = true;
-        else if (word == "--check") wish.check = true;
-        else lantern::refuse("argument", "'" + std::string(word) + "'",
-                             "one of --seeds N, --first N, --threads N, --csv, --json, --check");
+        if (word == "--seeds")
+            wish.seeds = number<std::uint32_t>(word, value(), 2);
+        else if (word == "--first")
+            wish.first = number<std::uint64_t>(word, value(), 0);
+        else if (word == "--threads")
+            wish.threads = number<unsigned>(word, value(), 1);
+        else if (word == "--csv")
+            wish.csv = true;
+        else if (word == "--json")
+            wish.json = true;
+        else if (word == "--check")
+            wish.check = true;
+        else
+            lantern::refuse("argument", "'" + std::string(word) + "'",
+                            "one of --seeds N, --first N, --threads N, --csv, --json, --check");
     }
     return wish;
 }
@@ -340,9 +361,12 @@ int main(int argc, char** argv) {
     try {
         const options wish = parse(argc, argv);
         const std::vector<row> rows = measure(wish);
-        if (wish.json) print_json(rows);
-        else if (wish.csv) print_csv(rows);
-        else print_table(rows, wish);
+        if (wish.json)
+            print_json(rows);
+        else if (wish.csv)
+            print_csv(rows);
+        else
+            print_table(rows, wish);
         std::fflush(stdout);
         return wish.check && !passes(rows, wish) ? 1 : 0;
     } catch (const std::invalid_argument& problem) {

@@ -68,7 +68,8 @@ int main(int argc, char** argv) {
             next(lantern::sobol{.samples = n, .seed = seed});
         }
         picture::write(path, sheet);
-        std::printf("columns: independent, N-rooks, jittered, multi-jittered, correlated multi-jittered, Halton, Sobol\n"
-                    "rows: 16, 64 and 256 samples\n");
+        std::printf(
+            "columns: independent, N-rooks, jittered, multi-jittered, correlated multi-jittered, Halton, Sobol\n"
+            "rows: 16, 64 and 256 samples\n");
     });
 }

@@ -73,7 +73,8 @@ TEST_CASE("a grid that does not fit its count would be biased, and is refused") 
         CHECK_THROWS_AS(jittered::of(n), std::invalid_argument);
         CHECK_THROWS_AS(multi_jittered::of(n), std::invalid_argument);
     }
-    CHECK_THROWS_WITH(jittered::of(10), containing("jittered: samples is 10") && containing("a square number such as 9"));
+    CHECK_THROWS_WITH(jittered::of(10),
+                      containing("jittered: samples is 10") && containing("a square number such as 9"));
     CHECK_THROWS_WITH(multi_jittered::of(1000), containing("multi_jittered: samples is 1000") && containing("1024"));
     CHECK(jittered::of(1024).side == 32);
     CHECK(jittered::of(65535u * 65535u).count() == 65535u * 65535u);
@@ -103,7 +104,8 @@ TEST_CASE("a shared pattern would be noticed: that is what the test above is for
     const auto x = [&](glm::uvec2 pixel, std::uint32_t i) { return double{set.at(pixel, i).draw2(purpose::film).x}; };
     const auto late = [&](glm::uvec2 pixel, std::uint32_t i) { return double{set.at(pixel, i).draw1(purpose::time)}; };
     CHECK_FALSE(laws::unrelated(16, x, x));
-    CHECK_FALSE(laws::unrelated(16, x, [&](glm::uvec2 pixel, std::uint32_t i) { return .2 * x(pixel, i) + late(pixel, i); }));
+    CHECK_FALSE(
+        laws::unrelated(16, x, [&](glm::uvec2 pixel, std::uint32_t i) { return .2 * x(pixel, i) + late(pixel, i); }));
     CHECK_FALSE(laws::unrelated(16, x, [&](glm::uvec2 pixel, std::uint32_t i) {  // now with it, now against it
         return pixel.x % 2 == 0 ? x(pixel, i) : -x(pixel, i);
     }));
@@ -132,7 +134,8 @@ TEST_CASE("N-rooks: the diagonal is not fixed") {
 
 TEST_CASE("jittered: one sample in each cell, for every purpose") {
     for (const std::uint32_t side : {2u, 4u, 16u})
-        laws::for_each_set(jittered{.side = side}, [&](const auto& points) { CHECK(laws::one_in_each(points, side, side)); });
+        laws::for_each_set(jittered{.side = side},
+                           [&](const auto& points) { CHECK(laws::one_in_each(points, side, side)); });
 }
 
 TEST_CASE("jittered: within its cell a sample is anywhere") {
@@ -161,7 +164,8 @@ TEST_CASE("multi-jittered, correlated or not: one in each cell, each fine column
 
 TEST_CASE("correlated multi-jittered: the rows are strata for any number of samples") {
     for (const std::uint32_t n : {2u, 8u, 32u, 128u, 512u})
-        laws::for_each_set(correlated_multi_jittered{.samples = n}, [&](const auto& p) { CHECK(laws::one_in_each(p, 1, n)); });
+        laws::for_each_set(correlated_multi_jittered{.samples = n},
+                           [&](const auto& p) { CHECK(laws::one_in_each(p, 1, n)); });
 }
 
 TEST_CASE("what wants one number, such as time, has strata of its own: as many as there are samples") {

@@ -49,7 +49,8 @@ TEST_CASE("sobol: a pixel without samples is refused") {
 TEST_CASE("sobol: every purpose by itself is a net: all boxes of equal area hold one sample") {
     for (const std::uint32_t n : {4u, 16u, 128u, 1024u}) {
         const auto check = [&](const auto& points) {
-            for (std::uint32_t columns = 1; columns <= n; columns *= 2) CHECK(laws::one_in_each(points, columns, n / columns));
+            for (std::uint32_t columns = 1; columns <= n; columns *= 2)
+                CHECK(laws::one_in_each(points, columns, n / columns));
         };
         laws::for_each_set(sobol{.samples = n}, check);
         laws::for_each_set(sobol{.samples = n, .packed = {}}, check);
@@ -95,8 +96,8 @@ TEST_CASE("a packing knows the place of each purpose, and refuses one named twic
     CHECK(p.slot(static_cast<purpose>(1000)) == packing::absent);
     CHECK_THROWS_WITH((packing{purpose::film, purpose::film}), containing("packing") && containing("named once"));
     CHECK_THROWS_AS(packing{static_cast<purpose>(1000)}, std::invalid_argument);
-    CHECK_NOTHROW(packing{purpose::film, purpose::lens, purpose::time, purpose::light, purpose::light_choice, purpose::gloss,
-                          purpose::scatter, purpose::branch, purpose::roulette, purpose::user});
+    CHECK_NOTHROW(packing{purpose::film, purpose::lens, purpose::time, purpose::light, purpose::light_choice,
+                          purpose::gloss, purpose::scatter, purpose::branch, purpose::roulette, purpose::user});
 }
 
 TEST_CASE("Owen's scramble: the coins of any two nodes of the tree are fair and independent") {
@@ -106,7 +107,8 @@ TEST_CASE("Owen's scramble: the coins of any two nodes of the tree are fair and 
         const std::uint32_t key = lantern::low(lantern::hash(seed));
         std::array<std::uint32_t, nodes> coin{};
         for (std::uint32_t node = 0; node < nodes; ++node) {
-            const auto level = static_cast<std::uint32_t>(std::bit_width(node + 1) - 1), above = node + 1 - (1u << level);
+            const auto level = static_cast<std::uint32_t>(std::bit_width(node + 1) - 1),
+                       above = node + 1 - (1u << level);
             coin[node] = (lantern::detail::mirrored_scramble(above, key) >> level) & 1;
         }
         for (std::uint32_t a = 0; a < nodes; ++a)

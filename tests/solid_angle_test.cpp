@@ -68,8 +68,9 @@ double p_value(const flat& r, bool by_area) {
 }  // namespace
 
 TEST_CASE("a rectangle's solid angle is the sum of its pieces'") {
-    for (const flat& r : {flat{{-1, -1, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 1}}, flat{{1, 2, -3}, {0, 1, 1}, {5, 0, 0}, {.3f, .1f, .2f}},
-                          flat{{-.1f, -.1f, -2}, {.2f, 0, 0}, {0, .2f, 0}, {3, 4, 5}}}) {
+    for (const flat& r :
+         {flat{{-1, -1, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 1}}, flat{{1, 2, -3}, {0, 1, 1}, {5, 0, 0}, {.3f, .1f, .2f}},
+          flat{{-.1f, -.1f, -2}, {.2f, 0, 0}, {0, .2f, 0}, {3, 4, 5}}}) {
         const double slow = slow_solid_angle(r, {0, 0}, {1, 1}, 1500);
         CHECK(std::abs(solid_angle(seen_rectangle{r.viewer, r.corner, r.u, r.v}) / slow - 1) < 1e-5);
     }
@@ -78,7 +79,8 @@ TEST_CASE("a rectangle's solid angle is the sum of its pieces'") {
 TEST_CASE("a rectangle's solid angle: the face of a cube, from its centre, is a sixth of the sphere") {
     CHECK(std::abs(solid_angle(seen_rectangle{{0, 0, 0}, {-1, -1, 1}, {2, 0, 0}, {0, 2, 0}}) - 4 * pi / 6) < 1e-14);
     // Half of everything, from just above a vast plane.
-    CHECK(std::abs(solid_angle(seen_rectangle{{0, 0, 1e-6f}, {-1e6f, -1e6f, 0}, {2e6f, 0, 0}, {0, 2e6f, 0}}) - 2 * pi) < 1e-10);
+    CHECK(std::abs(solid_angle(seen_rectangle{{0, 0, 1e-6f}, {-1e6f, -1e6f, 0}, {2e6f, 0, 0}, {0, 2e6f, 0}}) - 2 * pi) <
+          1e-10);
 }
 
 TEST_CASE("a rectangle's solid angle: tiny ones are area · cos/r², to many digits") {
@@ -92,7 +94,8 @@ TEST_CASE("a rectangle's solid angle: tiny ones are area · cos/r², to many dig
 TEST_CASE("rectangle: uniform by solid angle, near and far, in front and aside, at grazing angles") {
     const flat near{{-1, -2, 0}, {2, 0, 0}, {0, 3, 0}, {.2f, .1f, .3f}};
     CHECK(p_value(near, false) > statistics::false_alarm);
-    CHECK(p_value({{-1, -2, 0}, {2, 0, 0}, {0, 3, 0}, {.2f, .1f, -2}}, false) > statistics::false_alarm);  // from behind
+    CHECK(p_value({{-1, -2, 0}, {2, 0, 0}, {0, 3, 0}, {.2f, .1f, -2}}, false) >
+          statistics::false_alarm);  // from behind
     CHECK(p_value({{3, 1, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 1}}, false) > statistics::false_alarm);
     CHECK(p_value({{3, 1, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 1e-3f}}, false) > statistics::false_alarm);
     CHECK(p_value({{3, 1, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 1e-6f}}, false) > statistics::false_alarm);
@@ -106,7 +109,8 @@ TEST_CASE("rectangle: tiny solid angles and slanted edges are drawn by area") {
 }
 
 TEST_CASE("rectangle: one over the density is the solid angle, on the average, however it is drawn") {
-    for (const flat& r : {flat{{-1, -2, 0}, {2, 0, 0}, {0, 3, 0}, {.2f, .1f, 1}}, flat{{-1, -2, 0}, {2, .5f, 0}, {0, 3, 0}, {.2f, .1f, 1}},
+    for (const flat& r : {flat{{-1, -2, 0}, {2, 0, 0}, {0, 3, 0}, {.2f, .1f, 1}},
+                          flat{{-1, -2, 0}, {2, .5f, 0}, {0, 3, 0}, {.2f, .1f, 1}},
                           flat{{1, 1, 1}, {0, 1e-6f, 1e-6f}, {1e-6f, 0, 0}, {-9, 8, 7}}}) {
         const seen_rectangle seen{r.viewer, r.corner, r.u, r.v};
         statistics::mean one_over;

@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr std::size_t side = 16;   // of the grid of cells
+constexpr std::size_t side = 16;  // of the grid of cells
 constexpr std::uint32_t count = 100'000;
 
 /// Carries many independent points over, and counts in which cell of a 16 × 16 grid each arrives. `place` gives its
@@ -143,8 +143,8 @@ TEST_CASE("cosine hemisphere: as dense as the cosine") {
     for (std::size_t turns = 0; turns < side; ++turns) {
         for (std::size_t height = 0; height < side; ++height) {
             const double middle = (static_cast<double>(height) + .5) / side;  // exact: the density is linear in z
-            expected.push_back(count * double{lantern::cosine_hemisphere_density({0, 0, static_cast<float>(middle)})} * 2 * pi /
-                               (side * side));
+            expected.push_back(count * double{lantern::cosine_hemisphere_density({0, 0, static_cast<float>(middle)})} *
+                               2 * pi / (side * side));
         }
     }
     CHECK(agree(arrivals(lantern::to_cosine_hemisphere, place), expected));
@@ -174,7 +174,8 @@ TEST_CASE("cone: uniform by solid angle, for any angle, however small") {
 
 TEST_CASE("directions have unit length, at the extremes too") {
     at_the_extremes([](glm::vec2 xi) {
-        for (const glm::vec3 d : {lantern::to_sphere(xi), lantern::to_hemisphere(xi), lantern::to_cosine_hemisphere(xi)})
+        for (const glm::vec3 d :
+             {lantern::to_sphere(xi), lantern::to_hemisphere(xi), lantern::to_cosine_hemisphere(xi)})
             CHECK(std::abs(glm::length(d) - 1) < 3e-7f);
         CHECK(lantern::to_hemisphere(xi).z >= 0);
         CHECK(lantern::to_cosine_hemisphere(xi).z >= 0);

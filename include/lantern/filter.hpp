@@ -109,8 +109,11 @@ inline void validate(const mitchell_filter& f) {
 class mitchell_profile {
 public:
     explicit mitchell_profile(const mitchell_filter& f)
-        : b_(f.b), k_((b_ + 6 * double{f.c}) / 6), zero_(k_ > 0 ? (2 * b_ + 6 * double{f.c}) / (6 * k_) : 2.0),
-          p3_((12 - 9 * b_ - 6 * double{f.c}) / 6), p2_((-18 + 12 * b_ + 6 * double{f.c}) / 6) {}
+        : b_(f.b),
+          k_((b_ + 6 * double{f.c}) / 6),
+          zero_(k_ > 0 ? (2 * b_ + 6 * double{f.c}) / (6 * k_) : 2.0),
+          p3_((12 - 9 * b_ - 6 * double{f.c}) / 6),
+          p2_((-18 + 12 * b_ + 6 * double{f.c}) / 6) {}
 
     [[nodiscard]] double operator()(double x) const {
         x = std::abs(x);

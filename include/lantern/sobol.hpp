@@ -161,7 +161,9 @@ private:
         return slot == 0 ? index_ : detail::times(detail::sobol_slots[slot - 1], index_);
     }
     /// Another order of the same points, so that sets which are not packed are paired at random.
-    [[nodiscard]] constexpr std::uint32_t shuffled(std::uint64_t key) const { return permute(index_, count_, mix_bits(~key)); }
+    [[nodiscard]] constexpr std::uint32_t shuffled(std::uint64_t key) const {
+        return permute(index_, count_, mix_bits(~key));
+    }
 
     packing packed_;
     std::uint64_t key_;

@@ -51,7 +51,8 @@ struct seen_sphere {
     const double q = std::min(1.0, sine * s.distance / s.radius), p = std::sqrt((1 - q) * (1 + q));
     const double outward = q * cosine - p * sine, towards = p * cosine + q * sine;
     const double scale = sine > 0 ? outward / sine : 0;
-    return local.x * scale * glm::dvec3(s.frame.u) + local.y * scale * glm::dvec3(s.frame.v) - towards * glm::dvec3(s.frame.w);
+    return local.x * scale * glm::dvec3(s.frame.u) + local.y * scale * glm::dvec3(s.frame.v) -
+           towards * glm::dvec3(s.frame.w);
 }
 
 /// The point with that normal.
@@ -81,7 +82,8 @@ public:
         y1_ = y0_ + height;
         h_ = std::abs(glm::dot(to_corner, cross)) / area_;
         const bool right_angled = std::abs(glm::dot(x_axis_, y_axis_)) < 1e-6;
-        solid_angle_ = triangle(corner_, corner_ + u_, corner_ + u_ + v_) + triangle(corner_, corner_ + v_, corner_ + u_ + v_);
+        solid_angle_ =
+            triangle(corner_, corner_ + u_, corner_ + u_ + v_) + triangle(corner_, corner_ + v_, corner_ + u_ + v_);
         by_area_ = !(right_angled && solid_angle_ > smallest);
     }
 
@@ -118,7 +120,8 @@ private:
         const double width = std::atan2(h_ * (y1_ - y0_), h_ * h_ + y0_ * y1_);
         const double below = 4 * std::sin((width + k) / 2) * std::sin((width - k) / 2) *
                              std::cos((low + high + k) / 2) * std::cos((low + high - k) / 2);
-        const double x = std::clamp(h_ * std::sin(k) / std::sqrt(std::max(below, std::numeric_limits<double>::min())), x0_, x1_);
+        const double x =
+            std::clamp(h_ * std::sin(k) / std::sqrt(std::max(below, std::numeric_limits<double>::min())), x0_, x1_);
         // Along y the density at x is that of a circle's arc: uniform in y/√(x² + y² + h²).
         const double d = std::sqrt(x * x + h_ * h_);
         const double s0 = y0_ / std::sqrt(d * d + y0_ * y0_), s1 = y1_ / std::sqrt(d * d + y1_ * y1_);

@@ -58,7 +58,8 @@ namespace lantern {
 /// Uniform on the unit sphere (Archimedes: equal heights, equal areas).
 [[nodiscard]] inline glm::vec3 to_sphere(glm::vec2 xi) {
     const double u = xi.x, angle = 2 * std::numbers::pi * xi.y, r = 2 * std::sqrt(u * (1 - u));
-    return {static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)), static_cast<float>(1 - 2 * u)};
+    return {static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)),
+            static_cast<float>(1 - 2 * u)};
 }
 [[nodiscard]] constexpr float sphere_density() { return std::numbers::inv_pi_v<float> / 4; }
 

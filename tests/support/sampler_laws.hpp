@@ -181,8 +181,7 @@ void for_each_set(const Sampler& set, F f) {
         return points;
     };
     for (const purpose p : two_numbers) {
-        for (std::uint32_t which = 0; which < 2; ++which)
-            f(gather([=](const auto& s) { return s.draw2(p, which); }));
+        for (std::uint32_t which = 0; which < 2; ++which) f(gather([=](const auto& s) { return s.draw2(p, which); }));
         f(gather([=](const auto& s) { return s.branch(1).draw2(p); }));
     }
 }
@@ -194,8 +193,7 @@ void for_each_line(const Sampler& set, F f) {
         return points;
     };
     for (const purpose p : one_number) {
-        for (std::uint32_t which = 0; which < 2; ++which)
-            f(gather([=](const auto& s) { return s.draw1(p, which); }));
+        for (std::uint32_t which = 0; which < 2; ++which) f(gather([=](const auto& s) { return s.draw1(p, which); }));
         f(gather([=](const auto& s) { return s.branch(0).draw1(p); }));
     }
     f(gather([=](const auto& s) { return s.draw1(purpose::film); }));
