@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Are the README's tables those of the house? `readme.py --write` makes them so."""
+"""Are the README's tables those of the house (`readme.py --write` makes them so), and has every lab its workflow preset?"""
 
 import json
 import pathlib
@@ -62,9 +62,14 @@ def main() -> int:
     missing = [path for path in re.findall(r"\]\(([^)#:]+)\)", text) if not (ROOT / path).exists()]
     for path in missing:
         print(f"README.md links to {path}, which is not there")
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+    workflows = {preset["name"] for preset in presets["workflowPresets"]}
+    without = [path.parent.name for path in (ROOT / "labs").glob("lab*/lab.json") if path.parent.name[:5] not in workflows]
+    for folder in sorted(without):
+        print(f"CMakePresets.json has no workflow {folder[:5]}: copy that of another lab, with its build and test preset")
     if text != wanted:
         print("README.md is behind the house; this brings it up to date: python3 tests/checks/readme.py --write")
-    return 1 if missing or text != wanted else 0
+    return 1 if missing or without or text != wanted else 0
 
 
 if __name__ == "__main__":
