@@ -139,6 +139,16 @@ TEST_CASE("no ray that meets a box is told that it does not") {
             check(box, {{-9, d.below(2) == 0 ? box.min.y : box.max.y, d.between(box.min.z, box.max.z)}, direction}, {});
         }
     }
+    SECTION("from far away") {
+        for (int i = 0; i < count; ++i) {
+            const aabb box = random_box(d, 3);
+            // Some whole number of steps back from a corner, so that the ray runs exactly through it.
+            const glm::vec3 corner(glm::ivec3(box.min)), step(glm::ivec3(d.in_cube(8)));
+            const glm::vec3 o = corner - std::exp2(float(d.below(40))) * step;
+            if (glm::dvec3(corner) - glm::dvec3(o) == double(1) * glm::dvec3(corner - o) && step != glm::vec3(0))
+                check({corner, corner + glm::vec3(0.1f)}, {o, step}, {});
+        }
+    }
     SECTION("at any scale") {
         for (int i = 0; i < count; ++i) {
             const float scale = d.magnitude_between(-30, 30);

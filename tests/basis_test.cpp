@@ -18,7 +18,7 @@ double deviation(const basis& b) {
     const glm::dvec3 u(b.u), v(b.v), w(b.w);
     double largest = 0;
     for (const double x : {glm::length(u) - 1, glm::length(v) - 1, glm::length(w) - 1, glm::dot(u, v), glm::dot(v, w), glm::dot(w, u)})
-        largest = std::max(largest, std::abs(x));
+        if (!(std::abs(x) <= largest)) largest = std::abs(x);  // NaN is the largest
     return largest;
 }
 
