@@ -183,7 +183,7 @@ def _install(missing: list[str]) -> None:
         lines = "\n".join("  " + " ".join(command[1:]) for command in commands)
         raise Problem(f"missing: {', '.join(missing)}, and there is no sudo. As root, run:\n{lines}")
     for command in commands:
-        if process.call(command) != 0:
+        if process.call(command, terminal=True) != 0:
             raise Problem("that command failed. Mend what it complains about (no network? another installation "
                           "running?), or install these by hand, and try again: " + ", ".join(missing))
 

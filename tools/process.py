@@ -45,18 +45,18 @@ def shorten(word: str) -> str:
 
 
 def call(argv: Sequence[str], *, quiet: bool = False, cwd: pathlib.Path | None = None, timeout: float | None = None,
-         environment: Mapping[str, str] | None = None) -> int:
+         environment: Mapping[str, str] | None = None, terminal: bool = False) -> int:
     """Shows the command, runs it and returns its exit code; TIMED_OUT when it took longer than `timeout` seconds.
 
     Whatever ends the wait (a timeout, Ctrl-C) ends the command and all that it started. `quiet` shows nothing unless
-    the command fails."""
+    the command fails. `terminal` leaves it the terminal, to ask for a password."""
     if not quiet:
         show(argv)
     output = subprocess.PIPE if quiet else None
     try:
         child = subprocess.Popen(argv, cwd=cwd, stdin=subprocess.DEVNULL, stdout=output,
                                  stderr=subprocess.STDOUT if quiet else None, text=True, errors="replace",
-                                 env={**os.environ, **(environment or {})}, start_new_session=True)
+                                 env={**os.environ, **(environment or {})}, start_new_session=not terminal)
     except OSError as error:
         raise Problem(f"{argv[0]} cannot be run: {error.strerror}") from error
     try:
@@ -94,8 +94,11 @@ def _end(child: subprocess.Popen) -> None:
     """Ends a command and what it started: asked first, made to after two seconds."""
     for number, patience in ((signal.SIGTERM, 2), (signal.SIGKILL, 5)):
         try:
-            os.killpg(child.pid, number)
-        except ProcessLookupError:
+            if os.getpgid(child.pid) == child.pid:
+                os.killpg(child.pid, number)
+            else:
+                child.send_signal(number)
+        except (ProcessLookupError, PermissionError):  # it has ended, or sudo runs it and ends it by itself
             pass
         try:
             child.communicate(timeout=patience)
