@@ -3,14 +3,27 @@
 // The contract between a lab's suite and the code it judges: names and types, nothing else. Which code answers is
 // decided when the program is linked, so the suite never sees student code and the binding never sees Catch2.
 
+// The types that contracts are made of. This header is precompiled for all bindings: what it includes costs nothing.
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <initializer_list>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace contract {
 
