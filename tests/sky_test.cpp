@@ -13,6 +13,9 @@ TEST_CASE("the sky goes from the horizon to the zenith, and stays what it is bel
     CHECK(radiance(s, {1, 0, 0}) == s.horizon);
     CHECK(radiance(s, {0, -1, 0}) == s.horizon);
     CHECK(radiance(s, {0, 0.5f, 0}) == glm::vec3(0.5f, 0, 0.5f));
+    const lantern::sky evening{.horizon = {1, 0.6f, 0.3f}, .zenith = {0.1f, 0.2f, 0.5f}};
+    CHECK(radiance(evening, {0, 1, 0}) == evening.zenith);  // at both ends exactly
+    CHECK(radiance(evening, {1, 0, 0}) == evening.horizon);
 }
 
 TEST_CASE("darkness is black and takes no room") {

@@ -30,7 +30,8 @@ inline void validate(const sky& s) {
 }
 
 [[nodiscard]] inline glm::vec3 radiance(const sky& s, glm::vec3 direction) {
-    return s.horizon + glm::clamp(direction.y, 0.0f, 1.0f) * (s.zenith - s.horizon);
+    const float height = glm::clamp(direction.y, 0.0f, 1.0f);
+    return (1 - height) * s.horizon + height * s.zenith;
 }
 
 /// Black: all light comes from lights.
