@@ -21,14 +21,23 @@ def lab_named(word: str) -> Lab:
     return lab
 
 
-def require_header(lab: Lab, solution: bool = False) -> pathlib.Path:
-    """The header to build with; a Problem with the way to restore it when it is not there."""
+class NotYet(Exception):
+    """The student's file has to be mended first; says how."""
+
+
+def built(lab: Lab, kind: str, solution: bool = False) -> pathlib.Path:
+    """The lab's program ("") or suite ("_check"), built with the student's header or with ours."""
     file = lab.solution_file if solution else lab.student_file
     shown = file.relative_to(ROOT)
     if not file.exists():
         again = "" if solution else f"\n  ./lab starters {lab.number}  writes the empty starter again"
-        raise Problem(f"{shown} is not there. To get it back:\n  git restore {shown}  brings the last committed version back{again}")
-    return file
+        raise NotYet(f"{shown} is not there. To get it back:\n  git restore {shown}  brings the last committed version back{again}")
+    tree = set_up()
+    target = lab.name + ("_solution" if solution else "") + kind
+    good, output = build(tree, target)
+    if not good:
+        raise NotYet(explain_build_failure(lab, file, output))
+    return program(tree, target)
 
 
 def set_up() -> pathlib.Path:

@@ -19,6 +19,7 @@ SECONDS_PER_STEP = 10.0
 class Test:
     name: str
     passed: bool = False
+    finished: bool = False  # False where the process ended in the middle of it
     gap: str = ""        # "lab01 step 2: the sRGB curve" when that is still to be written
     asked: str = ""      # encode(0) == 0
     found: str = ""      # 0.5f == 0
@@ -73,15 +74,17 @@ def run_step(program: pathlib.Path, number: int, name: str, seconds: float) -> S
         step.tests += new
         if status is None:
             step.trouble = f"did not finish in {seconds:g} s: an endless loop?"
-        elif status < 0:
-            step.trouble = step.trouble or f"crashed ({signal_name(-status)})"
-            if new and not new[-1].passed and time.monotonic() < end:
-                continue
         elif not step.tests:
             step.trouble = "no test was run" + (f" (exit status {status})" if status else "")
+        elif status < 0:
+            step.trouble = step.trouble or f"crashed ({signal_name(-status)})"
+        elif new and not new[-1].finished:
+            step.trouble = step.trouble or f"ended the program (exit status {status})"
         elif status != 0 and not step.failures:
             step.trouble = f"ended early (exit status {status})"
-        break
+        ended_in_a_test = status is not None and new and not (new[-1].finished and status >= 0)
+        if not ended_in_a_test or new[-1].passed or time.monotonic() >= end:
+            break
     return step
 
 
@@ -149,7 +152,7 @@ def note(test: Test, node: ET.Element) -> None:
     text = (node.text or "").strip()
     first = not (test.asked or test.thrown)
     if node.tag == "OverallResult":
-        test.passed = node.get("success") == "true"
+        test.finished, test.passed = True, node.get("success") == "true"
     elif not first:
         return
     elif node.tag == "Info":

@@ -132,8 +132,18 @@ class Steps(unittest.TestCase):
         self.assertFalse(first.passed)
         self.assertEqual([(test.name, test.passed) for test in first.tests], [("dead, and [gone]", False), ("good", True)])
 
+    def test_leaving_the_program_fails_the_test_that_did_so(self):
+        body = (f"if 'leaver' in selection:\n    write({report(PASSED)!r})\nelse:\n"
+                f"    write({report()!r} + '<TestCase name=\"leaver\">\\n')\n    os._exit(0)")
+        first = self.judge(body)[0]
+        self.assertIn("ended the program (exit status 0)", first.trouble)
+        self.assertFalse(first.passed)
+        self.assertEqual([(test.name, test.passed) for test in first.tests], [("leaver", False), ("good", True)])
+
     def test_a_crash_without_end_ends(self):
-        self.assertIn("crashed", self.judge(f"write({report(FAILED)!r})\nos.kill(os.getpid(), 6)")[0].trouble)
+        first = self.judge(f"write({report(FAILED)!r})\nos.kill(os.getpid(), 6)")[0]
+        self.assertIn("crashed", first.trouble)
+        self.assertEqual(len(first.tests), 1)
 
     def test_a_program_that_runs_no_test_has_not_passed(self):
         for body in ("sys.exit(0)", "sys.exit(3)", f"write({report()!r})", "print('All tests passed (12 assertions in 3 test cases)')"):

@@ -26,18 +26,15 @@ def run(arguments: list[str]) -> int:
         raise process.Misuse("--seconds must be more than 0")
 
     lab = student.lab_named(wish.lab)
-    file = student.require_header(lab, wish.solution)
-    target = lab.name + ("_solution_check" if wish.solution else "_check")
-    tree = student.set_up()
-    built, output = student.build(tree, target)
-    if not built:
-        message = student.explain_build_failure(lab, file, output)
+    try:
+        program = student.built(lab, "_check", wish.solution)
+    except student.NotYet as problem:
         if wish.json:
-            print(json.dumps({"lab": lab.number, "steps": [{"name": step, "passed": False} for step in lab.steps], "error": message}))
-        print(message, file=sys.stderr)
+            print(json.dumps({"lab": lab.number, "steps": [{"name": step, "passed": False} for step in lab.steps], "error": str(problem)}))
+        print(problem, file=sys.stderr)
         return 1
 
-    steps = verdict.judge(student.program(tree, target), lab, wish.seconds)
+    steps = verdict.judge(program, lab, wish.seconds)
     passed = all(step.passed for step in steps)
     if wish.json:
         print(json.dumps({"lab": lab.number, "steps": [as_json(step) for step in steps]}))

@@ -20,16 +20,14 @@ def run(arguments: list[str]) -> int:
     wish = parser.parse_args(arguments)
 
     lab = student.lab_named(wish.lab)
-    file = student.require_header(lab, wish.solution)
-    target = lab.name + ("_solution" if wish.solution else "")
-    tree = student.set_up()
-    built, output = student.build(tree, target)
-    if not built:
-        print(student.explain_build_failure(lab, file, output), file=sys.stderr)
+    try:
+        path = student.built(lab, "", wish.solution)
+    except student.NotYet as problem:
+        print(problem, file=sys.stderr)
         return 1
 
     sys.stdout.flush()
-    program = subprocess.Popen([str(student.program(tree, target)), "out"], cwd=ROOT, stdin=subprocess.DEVNULL,
+    program = subprocess.Popen([str(path), "out"], cwd=ROOT, stdin=subprocess.DEVNULL,
                                stdout=subprocess.PIPE, text=True, errors="replace")
     for line in program.stdout:
         print(line, end="", flush=True)
