@@ -25,9 +25,13 @@ set(LANTERN_FLOOR_0
 
 set(LANTERN_FLOOR_1
   aabb
+  bounding_sphere
+  bounding_volume
   camera
   filter
+  hull
   moving_camera
+  obb
   pfm
   png
   ppm

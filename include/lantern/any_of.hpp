@@ -3,6 +3,7 @@
 // One of a closed set of surfaces, chosen at run time.
 
 #include <lantern/aabb.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
@@ -45,6 +46,11 @@ template <class... Surfaces, std::derived_from<ray> Ray>
 template <bounded... Surfaces>
 [[nodiscard]] aabb bounds(const any_of<Surfaces...>& s) {
     return std::visit([](const auto& which) { return bounds(which); }, s.value);
+}
+
+template <bounded... Surfaces>
+[[nodiscard]] hull hull_of(const any_of<Surfaces...>& s) {
+    return std::visit([](const auto& which) { return hull_of(which); }, s.value);
 }
 
 template <class... Surfaces>

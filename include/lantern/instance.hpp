@@ -3,6 +3,7 @@
 // A surface placed in the world by an affine transform: moved, turned, stretched, sheared, mirrored.
 
 #include <lantern/aabb.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/precise.hpp>
 #include <lantern/validate.hpp>
@@ -96,6 +97,21 @@ template <bounded Surface>
         size += glm::max(glm::abs(a), glm::abs(b));
     }
     return enclosing(lo - 0x1p-50 * size, hi + 0x1p-50 * size);
+}
+
+/// The transformed points. Balls around them become ellipsoids, whose longest half axis is at most the square root of the
+/// sum of squares of the matrix (its Frobenius norm).
+template <bounded Surface>
+[[nodiscard]] hull hull_of(const instance<Surface>& s) {
+    hull h = hull_of(s.surface());
+    double stretch = 0, size = 0;
+    for (int column = 0; column < 3; ++column) stretch += glm::dot(s.linear()[column], s.linear()[column]);
+    for (glm::dvec3& p : h.points) {
+        size = std::max(size, std::sqrt(stretch) * precise::size(p) + precise::size(s.translation()));
+        p = s.linear() * p + s.translation();
+    }
+    h.radius = std::sqrt(stretch) * h.radius + 0x1p-49 * size;
+    return h;
 }
 
 template <class Surface>

@@ -3,6 +3,7 @@
 // A surface that moves along a straight line while the shutter is open.
 
 #include <lantern/aabb.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <optional>
 
 namespace lantern {
@@ -62,6 +64,20 @@ template <bounded Surface>
 [[nodiscard]] aabb bounds(const moving<Surface>& m) {
     const aabb open = bounds(m.surface);
     return enclose(open, moved(open, m.displacement));
+}
+
+/// Between where it is when the shutter opens and when it closes.
+template <bounded Surface>
+[[nodiscard]] hull hull_of(const moving<Surface>& m) {
+    hull h = hull_of(m.surface);
+    const std::size_t count = h.points.size();
+    double size = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        h.points.push_back(h.points[i] + glm::dvec3(m.displacement));
+        size = std::max(size, precise::size(h.points.back()));
+    }
+    h.radius += 0x1p-50 * size;
+    return h;
 }
 
 template <class Surface>

@@ -3,6 +3,7 @@
 // A shape together with what it is made of.
 
 #include <lantern/aabb.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
@@ -41,6 +42,11 @@ template <class Shape, class Material, std::derived_from<ray> Ray>
 template <bounded Shape, class Material>
 [[nodiscard]] aabb bounds(const object<Shape, Material>& o) {
     return bounds(o.shape);
+}
+
+template <bounded Shape, class Material>
+[[nodiscard]] hull hull_of(const object<Shape, Material>& o) {
+    return hull_of(o.shape);
 }
 
 template <class Shape, class Material>

@@ -3,6 +3,7 @@
 // The rectangle, or any parallelogram.
 
 #include <lantern/aabb.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/plane.hpp>
 #include <lantern/precise.hpp>
@@ -38,6 +39,11 @@ inline void validate(const rectangle& s) {
     const aabb u = moved(aabb{s.corner, s.corner}, s.u);
     const aabb edge = enclose(u, s.corner);
     return enclose(edge, moved(edge, s.v));
+}
+
+[[nodiscard]] inline hull hull_of(const rectangle& s) {
+    const glm::dvec3 corner(s.corner), u(s.u), v(s.v);
+    return {{corner, corner + u, corner + v, corner + u + v}, 0x1p-50 * (precise::size(corner) + precise::size(u) + precise::size(v))};
 }
 
 [[nodiscard]] inline std::optional<precise::hit> intersect(const rectangle& s, const precise::ray& r, interval range) {

@@ -4,6 +4,7 @@
 
 #include <lantern/aabb.hpp>
 #include <lantern/double_double.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/precise.hpp>
 #include <lantern/validate.hpp>
@@ -35,6 +36,8 @@ inline void validate(const sphere& s) {
     const float radius = std::abs(s.radius);
     return grown({s.center, s.center}, glm::vec3(radius));
 }
+
+[[nodiscard]] inline hull hull_of(const sphere& s) { return {{glm::dvec3(s.center)}, std::abs(double(s.radius))}; }
 
 /// The general case of `intersect`, for where double is in doubt: roots of |f + t d|² = R² in double-double.
 [[nodiscard, gnu::noinline]] inline std::optional<precise::hit> intersect_in_doubt(const sphere& s,

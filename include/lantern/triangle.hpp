@@ -4,6 +4,7 @@
 
 #include <lantern/aabb.hpp>
 #include <lantern/double_double.hpp>
+#include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/plane.hpp>
 #include <lantern/precise.hpp>
@@ -33,6 +34,7 @@ inline void validate(const triangle& t) {
 
 /// Exact.
 [[nodiscard]] inline aabb bounds(const triangle& t) { return enclose(enclose({t.a, t.a}, t.b), t.c); }
+[[nodiscard]] inline hull hull_of(const triangle& t) { return {{glm::dvec3(t.a), glm::dvec3(t.b), glm::dvec3(t.c)}, 0}; }
 
 namespace precise {
 
