@@ -56,6 +56,7 @@ set(LANTERN_FLOOR_2
   instance
   light
   material
+  mesh
   mirror
   moving
   moving_light
