@@ -63,7 +63,7 @@ def tell(lab: labs.Lab, steps: list[verdict.Step], solution: bool) -> None:
             print(color.red(f"  ✗ step {i}  {step.name}") + ": " + summary(step))
             for line in details(step):
                 print("      " + line)
-        if step.printed:
+        if step.printed and step.printed not in (other.printed for other in steps[:i - 1]):
             print("      Your code printed:")
             print(textwrap.indent("\n".join(step.printed.splitlines()[:8]), "        | "))
 
