@@ -304,6 +304,14 @@ TEST_CASE("the surface area rule looks at few of a thousand spheres") {
     CHECK(offers[2] <= offers[1]);
 }
 
+TEST_CASE("a shadow ray stops at the first surface that the tree offers and it meets") {
+    const std::vector<sphere> same(100, sphere{{0, 0, 0}, 1});
+    const bvh tree(same);
+    lantern::probe counter;
+    CHECK(occluded(tree, same, ray{{0, 0, 0.5f}, {0, 0, 1}}, {}, counter));
+    CHECK(counter.offers == 1);
+}
+
 TEST_CASE("what lies behind a hit is not looked at") {
     std::vector<sphere> row;
     for (int i = 0; i < 1024; ++i) row.push_back({{0, 0, -2.0f * float(i + 1)}, 0.5f});

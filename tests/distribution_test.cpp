@@ -374,6 +374,7 @@ TEST_CASE("what cannot be is refused when the tracer is made") {
     const std::vector things{object{floor_plane, glossy{.width = -1}}};
     CHECK_THROWS_WITH((distribution{one, things, no_lights}), containing("things[0]: glossy: width"));
     const std::vector good{object{floor_plane, glossy{}}};
-    CHECK_THROWS_WITH((distribution{one, good, std::vector{lantern::disk_light{.radius = 0}}}), containing("lights[0]: disk_light: radius"));
+    const std::vector dot{lantern::disk_light{.radius = 0}};
+    CHECK_THROWS_WITH((distribution{one, good, dot}), containing("lights[0]: disk_light: radius"));
     CHECK_THROWS_WITH((distribution{one, good, no_lights, white, {.ambient = glm::vec3(-1)}}), containing("distribution: ambient"));
 }

@@ -209,6 +209,7 @@ TEST_CASE("what cannot be is refused when the tracer is made") {
     const std::vector good{object{sphere{}, diffuse{}}};
     CHECK_THROWS_WITH((whitted{all, bad, no_lights}), containing("things[0]: sphere: center"));
     CHECK_THROWS_WITH((whitted{two, good, no_lights}), containing("number of things"));
-    CHECK_THROWS_WITH((whitted{all, good, std::vector{point_light{{0, 0, 0}, glm::vec3(-1)}}}), containing("lights[0]"));
+    const std::vector hole{point_light{{0, 0, 0}, glm::vec3(-1)}};
+    CHECK_THROWS_WITH((whitted{all, good, hole}), containing("lights[0]: point_light: intensity"));
     CHECK_THROWS_WITH((whitted{all, good, no_lights, white, {.ambient = glm::vec3(-1)}}), containing("whitted: ambient"));
 }

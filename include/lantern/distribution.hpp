@@ -139,12 +139,12 @@ private:
     distribution_options options_;
 };
 
-template <class A, std::ranges::contiguous_range Things, std::ranges::contiguous_range Lights>
-distribution(const A&, const Things&, const Lights&)
+template <class A, lasting_range Things, lasting_range Lights>
+distribution(const A&, Things&&, Lights&&)
     -> distribution<A, std::ranges::range_value_t<Things>, std::ranges::range_value_t<Lights>>;
 
-template <class A, std::ranges::contiguous_range Things, std::ranges::contiguous_range Lights, background B>
-distribution(const A&, const Things&, const Lights&, const B&, const distribution_options& = {})
+template <class A, lasting_range Things, lasting_range Lights, background B>
+distribution(const A&, Things&&, Lights&&, const B&, const distribution_options& = {})
     -> distribution<A, std::ranges::range_value_t<Things>, std::ranges::range_value_t<Lights>, B>;
 
 }  // namespace lantern

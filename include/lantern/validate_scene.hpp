@@ -10,6 +10,10 @@
 
 namespace lantern {
 
+/// What a tracer may look at without owning it: a vector that has a name, or a span; not a temporary vector.
+template <class R>
+concept lasting_range = std::ranges::contiguous_range<R> && std::ranges::borrowed_range<R>;
+
 /// Refuses, by std::invalid_argument that says which thing or light it is, every value that the `validate` beside its type
 /// refuses, and a structure that was built over more surfaces than there are things: it would offer indices of nothing.
 template <class Accelerator, class Background>

@@ -107,12 +107,12 @@ private:
     whitted_options options_;
 };
 
-template <class A, std::ranges::contiguous_range Things, std::ranges::contiguous_range Lights>
-whitted(const A&, const Things&, const Lights&)
+template <class A, lasting_range Things, lasting_range Lights>
+whitted(const A&, Things&&, Lights&&)
     -> whitted<A, std::ranges::range_value_t<Things>, std::ranges::range_value_t<Lights>>;
 
-template <class A, std::ranges::contiguous_range Things, std::ranges::contiguous_range Lights, background B>
-whitted(const A&, const Things&, const Lights&, const B&, const whitted_options& = {})
+template <class A, lasting_range Things, lasting_range Lights, background B>
+whitted(const A&, Things&&, Lights&&, const B&, const whitted_options& = {})
     -> whitted<A, std::ranges::range_value_t<Things>, std::ranges::range_value_t<Lights>, B>;
 
 }  // namespace lantern
