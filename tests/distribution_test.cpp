@@ -107,8 +107,13 @@ TEST_CASE("where nothing is distributed it is the basic ray tracer, to the last 
     const lantern::camera cam{lantern::view{.eye = {0, 0.5f, 2}, .target = {0, 0.3f, -4}}};
     const auto a = lantern::render({48, 48}, cam, lantern::jittered{.side = 2}, basic);
     const auto b = lantern::render({48, 48}, cam, lantern::jittered{.side = 2}, all_effects);
+#ifdef LANTERN_ALLOW_FP_CONTRACT
+    constexpr float tolerance = 1e-4f;  // the compiler may fuse one tracer's code in other places than the other's
+#else
+    constexpr float tolerance = 0;
+#endif
     for (std::uint32_t y = 0; y < 48; ++y)
-        for (std::uint32_t x = 0; x < 48; ++x) REQUIRE(a(x, y) == b(x, y));
+        for (std::uint32_t x = 0; x < 48; ++x) REQUIRE(glm::distance(a(x, y), b(x, y)) <= tolerance);
 }
 
 TEST_CASE("a scene in which everything is sharp draws nothing at all") {

@@ -97,9 +97,9 @@ TEST_CASE("a width of zero is a mirror, to the last bit") {
 TEST_CASE("the width goes to zero without a jump, and may be huge") {
     const glm::vec3 r = glm::normalize(glm::vec3(1, 2, 3));
     CHECK(glm::distance(perturbed(r, 1e-30f, {0.9f, 0.1f}), r) < 1e-7f);
-    const glm::vec3 wide = perturbed(r, 1e30f, {0.9f, 0.1f});
-    CHECK(glm::length(wide) == Approx(1));
-    CHECK(std::abs(glm::dot(wide, r)) < 1e-6f);
+    const glm::vec3 far = perturbed(r, 1e30f, {0.9f, 0.1f});
+    CHECK(glm::length(far) == Approx(1));
+    CHECK(std::abs(glm::dot(far, r)) < 1e-6f);
 }
 
 TEST_CASE("no glossy ray goes below the surface, and folding loses none") {
