@@ -23,6 +23,9 @@ if(NOT LANTERN_STB_INCLUDE_DIR)
   set(LANTERN_STB_INCLUDE_DIR "${stb_SOURCE_DIR}")
 endif()
 
+# Optional: without it there is no lantern::obj.
+find_package(tinyobjloader QUIET)
+
 # Makes the target lantern_catch: Catch2 3 where the system has it, else 2.13, else a pinned Catch2 3.
 macro(lantern_find_catch)
   find_package(Catch2 3 QUIET)

@@ -60,6 +60,7 @@ set(LANTERN_FLOOR_2
   mirror
   moving
   moving_light
+  obj
   object
   plane
   rectangle
@@ -82,7 +83,10 @@ set(LANTERN_FLOOR_3
   whitted
 )
 
-# These need stb and belong to lantern::png; everything else needs GLM and threads alone.
+# These need stb and belong to lantern::png, or tinyobjloader and lantern::obj; everything else needs GLM and threads alone.
 set(LANTERN_STB_HEADERS
   png
+)
+set(LANTERN_TINYOBJ_HEADERS
+  obj
 )
