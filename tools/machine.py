@@ -15,21 +15,24 @@ from process import ROOT
 NEEDS = {
     "build": ["compiler", "cmake", "ninja", "glm", "stb"],
     "test": ["catch2"],
-    "ci": ["clang"],
+    "ci": ["clang", "tinyobj"],
 }
 
 PACKAGES = {
     "apt": {"compiler": "g++", "cmake": "cmake", "ninja": "ninja-build", "glm": "libglm-dev", "stb": "libstb-dev",
-            "catch2": "catch2", "clang": "clang-16"},
+            "catch2": "catch2", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev"},
     "dnf": {"compiler": "gcc-c++", "cmake": "cmake", "ninja": "ninja-build", "glm": "glm-devel",
-            "stb": "stb_image_write-devel", "catch2": "catch-devel", "clang": "clang"},
+            "stb": "stb_image_write-devel", "catch2": "catch-devel", "clang": "clang",
+            "tinyobj": "tinyobjloader-devel"},
     "pacman": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "stb": "stb", "catch2": "catch2",
-               "clang": "clang"},
-    "brew": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "catch2": "catch2", "clang": "llvm"},
+               "clang": "clang", "tinyobj": "tinyobjloader"},
+    "brew": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "catch2": "catch2", "clang": "llvm",
+             "tinyobj": "tinyobjloader"},
 }
 
-# Libraries of headers that CMake fetches, at a pinned commit, where no package brings them.
-FETCHED = {"glm", "stb", "catch2"}
+# What the build does without where no package brings it: CMake fetches the first three at a pinned commit.
+SPARED = {"glm": "CMake will fetch its sources", "stb": "CMake will fetch its sources",
+          "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out"}
 
 MINIMUM = {"cmake": (3, 25)}
 CLANGS = ["clang++-16", "clang++", "clang++-20", "clang++-19", "clang++-18", "clang++-17", "clang++-15", "clang++-14"]
@@ -45,6 +48,9 @@ found_glm
 #endif
 #if __has_include(<stb_image_write.h>) || __has_include(<stb/stb_image_write.h>)
 found_stb
+#endif
+#if __has_include(<tiny_obj_loader.h>)
+found_tinyobj
 #endif
 #if __has_include(<catch2/catch_test_macros.hpp>) || __has_include(<catch2/catch.hpp>)
 found_catch2
@@ -160,13 +166,14 @@ def ensure(level: str) -> None:
     if _read(stamp) == known:
         return
     missing = [finding.name for finding in look(level) if finding.missing]
-    if missing:
+    if missing and (manager() or any(name not in SPARED for name in missing)):
         _install(missing)
+    if missing:
         still = [finding for finding in look(level) if finding.missing]
-        fatal = [finding for finding in still if finding.name not in FETCHED]
+        fatal = [finding for finding in still if finding.name not in SPARED]
         for finding in still:
             if finding not in fatal:
-                print(f"{finding.name} is in no package here; CMake will fetch its sources")
+                print(f"{finding.name} is in no package here; {SPARED[finding.name]}")
         if fatal:
             raise Problem("still missing: " + "; ".join(f"{f.name} ({f.remark})" if f.remark else f.name for f in fatal))
     stamp.parent.mkdir(exist_ok=True)
@@ -195,8 +202,8 @@ def _fingerprint() -> str:
         path = shutil.which(name)
         parts.append(f"{path} {os.stat(path).st_mtime_ns}" if path else "-")
     for folder in ("/usr/include", "/usr/local/include", "/opt/homebrew/include"):
-        for library in ("glm", "stb", "catch2"):
-            parts.append(str(os.path.isdir(os.path.join(folder, library))))
+        for library in ("glm", "stb", "catch2", "tiny_obj_loader.h"):
+            parts.append(str(os.path.exists(os.path.join(folder, library))))
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
