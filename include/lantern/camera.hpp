@@ -49,7 +49,8 @@ struct bladed_lens {
 /// Everything happens at once: the camera shoots rays that know no time.
 struct instant {};
 
-/// Open from `open` to `close`, times as in `timed_ray`.
+/// Open from `open` to `close`: 0 and 1 are the beginning and the end of what moves, as in `timed_ray`. It is open for all
+/// of that or for a part; outside nothing says where things are, and their bounds do not reach there.
 struct shutter {
     float open = 0;
     float close = 1;
@@ -94,8 +95,8 @@ inline void validate(const bladed_lens& l) {
 }
 inline void validate(const instant&) {}
 inline void validate(const shutter& s) {
-    require_finite(s.open, "shutter: open");
-    require_finite(s.close, "shutter: close");
+    if (!(s.open >= 0 && s.open <= 1)) refuse("shutter: open", to_text(s.open), "between 0 and 1");
+    if (!(s.close >= 0 && s.close <= 1)) refuse("shutter: close", to_text(s.close), "between 0 and 1");
     if (s.close < s.open) refuse("shutter: close", to_text(s.close), "no earlier than open, " + to_text(s.open));
 }
 

@@ -13,8 +13,8 @@ struct ray {
     glm::vec3 direction{0, 0, -1};
 };
 
-/// A ray shot at one moment of the exposure: time 0 is the moment the shutter opens, 1 the moment it closes.
-/// Only a camera with a shutter shoots these, and only they can meet a moving surface.
+/// A ray shot at one moment: 0 and 1 are the beginning and the end of what moves in a scene, and a shutter is open for all
+/// of that or for a part. Only a camera with a shutter shoots these, and only they can meet a moving surface.
 struct timed_ray : ray {
     float time = 0;
 };
