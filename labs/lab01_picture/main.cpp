@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lab 01: paints every ray in the colour of its direction, then, when all steps are done, the sky that the rays see.
 
-#include "../support/test_card.hpp"
+#include "../support/gaps.hpp"
 
 #include <lab01_picture/picture.hpp>
 
@@ -16,13 +16,12 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace {
 
-std::set<std::string> missing;  // the steps that are not done yet, as they say it themselves
+support::gaps gaps;
 
 /// What the student's function gives; or, while it is unfinished, what the other one gives.
 template <class Written, class Instead>
@@ -30,7 +29,7 @@ auto either(Written written, Instead instead) -> decltype(instead(0)) {
     try {
         return written();
     } catch (const lantern::unfinished& gap) {
-        missing.insert(gap.what());
+        gaps.note(gap);
         return instead(support::step_number(gap.what()));
     }
 }
@@ -86,8 +85,8 @@ void save(const std::filesystem::path& path, const std::string& file) {
 int main(int argc, char** argv) try {
     const std::filesystem::path folder = argc > 1 ? argv[1] : "out";
     save(folder / "lab01.ppm", picture({640, 480}, 1.7f, rays_as_colours));
-    if (missing.empty()) save(folder / "lab01_evening.ppm", picture({960, 400}, 0.7f, evening));
-    for (const std::string& gap : missing) std::cout << "still to do: " << gap << '\n';
+    if (gaps.none()) save(folder / "lab01_evening.ppm", picture({960, 400}, 0.7f, evening));
+    gaps.tell();
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

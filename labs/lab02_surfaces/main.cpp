@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lab 02: a small world in the colours of its normals. What is not written yet is not there.
 
-#include "../support/test_card.hpp"
+#include "../support/gaps.hpp"
 
 #include <lab02_surfaces/surfaces.hpp>
 
@@ -9,7 +9,6 @@
 #include <lantern/png.hpp>
 #include <lantern/render.hpp>
 #include <lantern/samples.hpp>
-#include <lantern/todo.hpp>
 
 #include <glm/common.hpp>
 
@@ -17,27 +16,18 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <set>
 #include <span>
-#include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace {
 
-/// The steps that are not done yet, as they say it themselves.
-std::set<std::string> missing;
+support::gaps gaps;
 
 template <class Surface>
 bool is_written() {
-    try {
-        (void)intersect(Surface{}, lantern::ray{}, lantern::interval{});
-        return true;
-    } catch (const lantern::unfinished& gap) {
-        missing.insert(gap.what());
-        return false;
-    }
+    return gaps.is_written([] { return intersect(Surface{}, lantern::ray{}, lantern::interval{}); });
 }
 
 struct thing {
@@ -46,16 +36,6 @@ struct thing {
 
 std::optional<lantern::hit> intersect(const thing& one, const lantern::ray& r, lantern::interval range) {
     return std::visit([&](const auto& shape) { return intersect(shape, r, range); }, one.shape);
-}
-
-bool closest_is_written() {
-    try {
-        (void)lab02::closest(std::span<const thing>{}, lantern::ray{}, lantern::interval{});
-        return true;
-    } catch (const lantern::unfinished& gap) {
-        missing.insert(gap.what());
-        return false;
-    }
 }
 
 /// Until step 4 is done: whatever stands last in the list is seen, be it behind the others.
@@ -82,11 +62,10 @@ std::vector<thing> world() {
 
 lantern::image picture(glm::uvec2 size) {
     const std::vector<thing> things = world();
-    const bool in_order = closest_is_written();
+    const bool in_order = gaps.is_written([] { return lab02::closest(std::span<const thing>{}, lantern::ray{}, lantern::interval{}); });
     if (things.empty()) {
         lantern::image card(size);
-        for (unsigned y = 0; y < size.y; ++y)
-            for (unsigned x = 0; x < size.x; ++x) card(x, y) = support::test_card((glm::vec2(x, y) + 0.5f) / glm::vec2(size), 1);
+        support::paint_test_card(card, {0, 0}, size, gaps.next_step());
         return card;
     }
     const lantern::camera camera{lantern::view{.eye = {0.3f, 1.7f, 6.5f}, .target = {0.3f, 0.85f, 0}, .aspect = float(size.x) / float(size.y)}};
@@ -103,7 +82,7 @@ int main(int argc, char** argv) try {
     const std::filesystem::path path = std::filesystem::path(argc > 1 ? argv[1] : "out") / "lab02.png";
     lantern::write_png(path, picture({640, 480}));
     std::cout << path.string() << '\n';
-    for (const std::string& gap : missing) std::cout << "still to do: " << gap << '\n';
+    gaps.tell();
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lab 03: Whitted's spheres. What is not written yet is replaced by something plain.
 
-#include "../support/test_card.hpp"
+#include "../support/gaps.hpp"
 
 #include "scene.hpp"
 
@@ -11,38 +11,23 @@
 #include <lantern/png.hpp>
 #include <lantern/render.hpp>
 #include <lantern/samples.hpp>
-#include <lantern/todo.hpp>
 
 #include <glm/common.hpp>
 
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <set>
-#include <string>
 
 namespace {
 
-/// The steps that are not done yet, as they say it themselves.
-std::set<std::string> missing;
-
-template <class Call>
-bool is_written(Call call) {
-    try {
-        (void)call();
-        return true;
-    } catch (const lantern::unfinished& gap) {
-        missing.insert(gap.what());
-        return false;
-    }
-}
+support::gaps gaps;
 
 /// Until step 6 is done: nothing is followed, and every material is matt. Uses the steps that are there.
 struct preview {
     lab03::scene scene = lab03::whitted_scene();
-    bool shading = is_written([] { return lab03::shade({}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}); });
-    bool shadows = is_written([] { return lab03::lit({}, {}, {0, 1, 0}); });
-    bool mirrors = is_written([] { return lab03::reflected({0, -1, 0}, {0, 1, 0}); });
+    bool shading = gaps.is_written([] { return lab03::shade({}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}); });
+    bool shadows = gaps.is_written([] { return lab03::lit({}, {}, {0, 1, 0}); });
+    bool mirrors = gaps.is_written([] { return lab03::reflected({0, -1, 0}, {0, 1, 0}); });
 
     glm::vec3 operator()(const lantern::ray& r, const auto&...) const { return color(r, mirrors); }
 
@@ -70,20 +55,17 @@ struct preview {
 lantern::image picture(glm::uvec2 size) {
     const lantern::camera camera = lab03::whitted_camera(size);
     const preview plain;
-    is_written([] { return lab03::refracted({0, -1, 0}, {0, 1, 0}, 1); });
-    is_written([] { return lab03::reflectance(1, 1); });
+    gaps.is_written([] { return lab03::refracted({0, -1, 0}, {0, 1, 0}, 1); });
+    gaps.is_written([] { return lab03::reflectance(1, 1); });
     const lab03::scene world = lab03::whitted_scene();
-    const bool all = is_written([&] { return lab03::trace(world, {{0, 9, 0}, {0, 1, 0}}, 1); }) && missing.empty();
+    const bool all = gaps.is_written([&] { return lab03::trace(world, {{0, 9, 0}, {0, 1, 0}}, 1); }) && gaps.none();
 
     lantern::image made = all ? lantern::render(size, camera, lantern::jittered{.side = 3},
                                                 [&](const lantern::ray& r, const auto&) { return lab03::trace(world, r, 8); })
                               : lantern::render(size, camera, lantern::jittered{.side = 3}, plain);
     if (all) return made;
     // The number of the next step, in a corner.
-    const glm::uvec2 corner = size / 5u;
-    for (unsigned y = 0; y < corner.y; ++y)
-        for (unsigned x = 0; x < corner.x; ++x)
-            made(x, y) = support::test_card((glm::vec2(x, y) + 0.5f) / glm::vec2(corner), support::step_number(*missing.begin()));
+    support::paint_test_card(made, {0, 0}, size / 5u, gaps.next_step());
     return made;
 }
 
@@ -93,7 +75,7 @@ int main(int argc, char** argv) try {
     const std::filesystem::path path = std::filesystem::path(argc > 1 ? argv[1] : "out") / "lab03.png";
     lantern::write_png(path, picture({640, 480}));
     std::cout << path.string() << '\n';
-    for (const std::string& gap : missing) std::cout << "still to do: " << gap << '\n';
+    gaps.tell();
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

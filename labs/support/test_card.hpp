@@ -42,4 +42,12 @@ namespace support {
     return 0.8f * glm::vec3(bar >> 1 & 1, bar >> 2 & 1, bar & 1);
 }
 
+/// Paints the card onto a part of a picture: anything whose pixels are picture(x, y).
+template <class Picture>
+void paint_test_card(Picture& picture, glm::uvec2 corner, glm::uvec2 size, int step) {
+    for (unsigned y = 0; y < size.y; ++y)
+        for (unsigned x = 0; x < size.x; ++x)
+            picture(corner.x + x, corner.y + y) = test_card((glm::vec2(x, y) + 0.5f) / glm::vec2(size), step);
+}
+
 }  // namespace support
