@@ -45,7 +45,8 @@ def by_includes(deleted: str) -> list[str]:
 
 
 def by_compiler(deleted: list[str], build: pathlib.Path) -> list[str]:
-    commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    all_commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    commands = {command["file"]: command for command in all_commands}.values()  # one is enough for each file
     with tempfile.TemporaryDirectory() as folder:
         pruned = pathlib.Path(folder) / "include"
         shutil.copytree(ROOT / "include", pruned)
