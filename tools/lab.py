@@ -52,7 +52,9 @@ def main(words: list[str]) -> int:
     except process.Misuse as misuse:
         print(f"lab {name}: {misuse}\nusage: ./lab {command.USAGE}", file=sys.stderr)
         return 2
-    except Problem as problem:
+    except BrokenPipeError:
+        raise
+    except (Problem, OSError) as problem:  # OSError: a full disk, a folder that may not be written
         sys.stdout.flush()
         print(f"lab {name}: {problem}", file=sys.stderr)
         return 1
