@@ -27,6 +27,7 @@ set(LANTERN_FLOOR_1
   aabb
   bounding_sphere
   bounding_volume
+  boxes_of
   camera
   filter
   hull
@@ -53,7 +54,9 @@ set(LANTERN_FLOOR_2
   emissive
   glass
   glossy
+  grid
   instance
+  kd_tree
   light
   material
   mesh
@@ -62,6 +65,7 @@ set(LANTERN_FLOOR_2
   moving_light
   obj
   object
+  octree
   plane
   rectangle
   rectangle_light
@@ -70,6 +74,7 @@ set(LANTERN_FLOOR_2
   sphere
   sphere_light
   triangle
+  within
 )
 
 set(LANTERN_FLOOR_3

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A plane is infinite, so it has no bounds, and no cell can hold it.
+// must say: bounded
+
+#include <lantern/octree.hpp>
+#include <lantern/plane.hpp>
+#include <lantern/sphere.hpp>
+
+#include <vector>
+
+#ifdef FIXED
+const std::vector<lantern::sphere> surfaces;
+#else
+const std::vector<lantern::plane> surfaces;
+#endif
+
+const lantern::octree cells{surfaces};
