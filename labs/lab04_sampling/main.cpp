@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lab 04: a zone plate, whose rings grow finer and finer, with one sample a pixel and with sixteen; and the point sets.
 
-#include "../support/test_card.hpp"
+#include "../support/gaps.hpp"
 
 #include <lab04_sampling/sampling.hpp>
 
@@ -12,15 +12,13 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace {
 
 constexpr std::uint32_t side = 320;  // of a panel, in pixels
 
-std::set<std::string> missing;  // the steps that are not done yet, as they say it themselves
+support::gaps gaps;
 
 float random(std::uint64_t a, std::uint64_t b, std::uint64_t c) { return lantern::to_unit(lantern::low(lantern::hash(a, b, c))); }
 
@@ -33,18 +31,13 @@ float zone_plate(glm::vec2 pixels) {
 /// Fills a panel of the picture; or, while a step is missing, with the test card.
 template <class Color>
 void panel(lantern::image& picture, std::uint32_t left, const Color& color) {
-    int step = -1;
-    for (std::uint32_t y = 0; y < side; ++y)
-        for (std::uint32_t x = 0; x < side && step < 0; ++x) try {
-                picture(left + x, y) = color(x, y);
-            } catch (const lantern::unfinished& gap) {
-                missing.insert(gap.what());
-                step = support::step_number(gap.what());
-            }
-    if (step < 0) return;
-    for (std::uint32_t y = 0; y < side; ++y)
-        for (std::uint32_t x = 0; x < side; ++x)
-            picture(left + x, y) = support::test_card((glm::vec2(x, y) + 0.5f) / float(side), step);
+    try {
+        for (std::uint32_t y = 0; y < side; ++y)
+            for (std::uint32_t x = 0; x < side; ++x) picture(left + x, y) = color(x, y);
+    } catch (const lantern::unfinished& gap) {
+        gaps.note(gap);
+        support::paint_test_card(picture, {left, 0}, glm::uvec2(side), support::step_number(gap.what()));
+    }
 }
 
 /// Sixteen jittered samples over the 2 × 2 pixels around the pixel's middle, each counted by the tent.
@@ -61,14 +54,17 @@ glm::vec3 smooth(std::uint32_t x, std::uint32_t y) {
     return lab04::filtered(colors, weights);
 }
 
-/// Points as dots in a panel; `where` is called once, and may be unfinished.
+/// Points as dots in a panel; the test card if `where` is unfinished.
 template <class Where>
 void dots(lantern::image& picture, std::uint32_t left, Where where) {
     std::vector<glm::vec2> points;
-    bool ready = false;
+    try {
+        points = where();
+    } catch (const lantern::unfinished& gap) {
+        gaps.note(gap);
+        return support::paint_test_card(picture, {left, 0}, glm::uvec2(side), support::step_number(gap.what()));
+    }
     panel(picture, left, [&](std::uint32_t x, std::uint32_t y) {
-        if (!ready) points = where();
-        ready = true;
         if (x < 4 || y < 4 || x >= side - 4 || y >= side - 4) return glm::vec3(0.6f);
         const glm::vec2 at = (glm::vec2(x, side - 1 - y) - 9.5f) / float(side - 20);
         for (const glm::vec2 p : points)
@@ -120,7 +116,7 @@ int main(int argc, char** argv) try {
     });
     save(folder / "lab04_points.ppm", sets);
 
-    for (const std::string& gap : missing) std::cout << "still to do: " << gap << '\n';
+    gaps.tell();
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -2,7 +2,7 @@
 // Lab 05: a table under a lamp. Left: one ray to the lamp's middle; right: sixteen points of the lamp, once everything is
 // written. A second picture, of a round lamp, comes with the last steps.
 
-#include "../support/test_card.hpp"
+#include "../support/gaps.hpp"
 
 #include <lab05_soft_shadows/soft_shadows.hpp>
 
@@ -12,12 +12,10 @@
 #include <lantern/render.hpp>
 #include <lantern/samples.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
 #include <optional>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace {
@@ -32,8 +30,7 @@ const lab05::scene table{{{{0.1f, 0.5f, 0}, 0.5f}, {{-0.95f, 0.25f, 0.75f}, 0.25
 
 const std::vector<glm::vec3> colors{{0.75f, 0.3f, 0.2f}, {0.25f, 0.45f, 0.7f}, {0.8f, 0.65f, 0.25f}, {0.62f, 0.6f, 0.57f}, {0.5f, 0.6f, 0.4f}};
 
-std::mutex one_at_a_time;
-std::set<std::string> missing;  // the steps that are not done yet, as they say it themselves
+support::gaps gaps;
 
 struct seen {
     lantern::hit hit;
@@ -54,29 +51,23 @@ std::optional<seen> nearest(const lantern::ray& r) {
     return best;
 }
 
-/// Every pixel by `light(hit, source)`; or, while a step is missing, the test card.
+/// Every pixel by `light(hit, source)`; or, while a step is missing, the test card. `render` hands on what a thread throws.
 template <class Light>
 lantern::image picture(const Light& light) {
     const lantern::camera cam{lantern::view{.eye = {0, 2.1f, 4.2f}, .target = {0, 0.35f, 0}, .vertical_fov = 0.62f}};
-    std::optional<int> step;
     const auto shade = [&](const lantern::ray& r, const auto& source) {
         const auto found = nearest(r);
         if (!found) return glm::vec3(0.02f);
-        try {
-            return found->color / 3.14159265f * light(found->hit, source) + 0.02f * found->color;
-        } catch (const lantern::unfinished& gap) {
-            const std::lock_guard lock(one_at_a_time);
-            missing.insert(gap.what());
-            step = support::step_number(gap.what());
-            return glm::vec3(0);
-        }
+        return found->color / 3.14159265f * light(found->hit, source) + 0.02f * found->color;
     };
-    lantern::image result = lantern::render(size, cam, lantern::jittered{.side = 4}, shade);
-    if (step)
-        for (unsigned y = 0; y < size.y; ++y)
-            for (unsigned x = 0; x < size.x; ++x)
-                result(x, y) = support::test_card((glm::vec2(x, y) + 0.5f) / glm::vec2(size), *step);
-    return result;
+    try {
+        return lantern::render(size, cam, lantern::jittered{.side = 4}, shade);
+    } catch (const lantern::unfinished& gap) {
+        gaps.note(gap);
+        lantern::image card(size);
+        support::paint_test_card(card, {0, 0}, size, support::step_number(gap.what()));
+        return card;
+    }
 }
 
 /// One ray to the middle of the lamp: a hard shadow.
@@ -119,8 +110,8 @@ int main(int argc, char** argv) try {
         std::ranges::copy(right.row(y), both.row(y).begin() + size.x);
     }
     save(folder / "lab05.ppm", both);
-    if (missing.empty()) save(folder / "lab05_round.ppm", picture([](const auto& h, const auto& s) { return round(h, s); }));
-    for (const std::string& gap : missing) std::cout << "still to do: " << gap << '\n';
+    if (gaps.none()) save(folder / "lab05_round.ppm", picture([](const auto& h, const auto& s) { return round(h, s); }));
+    gaps.tell();
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;
