@@ -41,10 +41,12 @@ set(LANTERN_FLOOR_1
 )
 
 set(LANTERN_FLOOR_2
+  agglomerate
   any_of
   blinn_phong
   box
   bvh
+  bvh_layout
   closest
   coated
   cylinder

@@ -1,71 +1,75 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A bounding volume hierarchy, built from the top down over anything that is bounded.
+// A bounding volume hierarchy over anything that is bounded, of boxes or of any other bounding volume.
 
 #include <lantern/aabb.hpp>
+#include <lantern/bounding_volume.hpp>
+#include <lantern/boxes_of.hpp>
+#include <lantern/bvh_layout.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/interval.hpp>
+#include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
-#include <lantern/validate.hpp>
 
-#include <glm/vec3.hpp>
-
-#include <algorithm>
 #include <array>
-#include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <ranges>
 #include <span>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace lantern {
 
-/// Where a node's surfaces are divided between its two children.
-enum class split {
-    middle,       ///< at the middle of their centres: cheap to find, blind to crowds
-    median,       ///< half of them each: balanced, blind to space
-    surface_area  ///< where the expected number of tests is least (Goldsmith and Salmon 1987), over 16 bins (Wald 2007)
-};
-
-struct bvh_options {
-    split rule = split::surface_area;
-    std::uint32_t leaf_size = 4;   ///< at most so many surfaces in a leaf, unless the depth is used up
-    std::uint32_t max_depth = 48;  ///< levels below the root, at most 64
-};
-
-/// Boxes in boxes, with indices of surfaces in the leaves. It keeps nothing of the surfaces but their indices, and an
-/// index is all it ever offers. A surface whose bounds are empty or not finite is left out, and counted.
+/// Volumes in volumes, with indices of surfaces in the leaves. It keeps nothing of the surfaces but their indices, and an
+/// index is all it ever offers. A surface whose bounds are empty or not finite is left out, and counted. Whatever the volume,
+/// the tree is laid out by boxes; then each node's volume is fitted to all the surfaces below it.
+template <bounding_volume Volume = aabb>
 class bvh {
 public:
-    explicit bvh(std::span<const aabb> boxes, const bvh_options& options = {}) : options_(options) {
-        if (options.leaf_size == 0) refuse("bvh: leaf_size", "0", "at least 1");
-        if (options.max_depth > 64) refuse("bvh: max_depth", std::to_string(options.max_depth), "at most 64");
-        if (boxes.size() >= std::size_t{1} << 30)  // what node::size holds
-            refuse("bvh: the number of surfaces", std::to_string(boxes.size()), "below 2^30");
-        build(boxes);
-    }
+    using node = bvh_node<Volume>;
 
-    /// Over a range of bounded surfaces: `bvh tree{things};`
+    /// Over a range of bounded surfaces: `bvh tree{things};` or `bvh<obb> tree{things};`
     template <std::ranges::random_access_range Surfaces>
         requires bounded<std::ranges::range_value_t<Surfaces>>
-    explicit bvh(const Surfaces& surfaces, const bvh_options& options = {}) : bvh(boxes_of(surfaces), options) {}
+    explicit bvh(const Surfaces& surfaces, const bvh_options& options = {}) {
+        const std::vector<aabb> boxes = boxes_of(surfaces);
+        bvh_layout layout(boxes, options);
+        adopt(boxes.size(), layout);
+        if constexpr (std::same_as<Volume, aabb>) {
+            nodes_ = std::move(layout.nodes());
+        } else {
+            std::vector<Volume> volumes;
+            for (const std::uint32_t i : indices_) volumes.push_back(volume_of<Volume>(std::ranges::begin(surfaces)[i]));
+            fit(layout.nodes(), volumes);
+        }
+    }
+
+    explicit bvh(std::span<const aabb> boxes, const bvh_options& options = {})
+        requires std::same_as<Volume, aabb>
+    {
+        bvh_layout layout(boxes, options);
+        adopt(boxes.size(), layout);
+        nodes_ = std::move(layout.nodes());
+    }
 
     /// See the concept `accelerator`. Of two children the one on the ray's near side comes first, and a node is looked
     /// at only when its turn comes: by then a closer hit may have cut it off.
     template <class Offer, class Probe = no_probe>
     void traverse(const ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         if (nodes_.empty() || empty(range)) return;
-        const slab_ray prepared(r);
+        const auto prepared = [&] {
+            if constexpr (std::same_as<Volume, aabb>) return slab_ray(r);
+            else return precise::widen(r);
+        }();
         std::array<std::uint32_t, 65> waiting;  // one sibling a level, and the root
         std::size_t count = 0;
         waiting[count++] = 0;
         while (count > 0) {
             const node& n = nodes_[waiting[--count]];
             counter.node();
-            if (!overlaps(n.box, prepared, range)) continue;
+            if (!overlaps(n.volume, prepared, range)) continue;
             if (n.size == 0) {
                 const bool forward = r.direction[int(n.axis)] >= 0;
                 waiting[count++] = forward ? n.first + 1 : n.first;
@@ -87,154 +91,31 @@ public:
     [[nodiscard]] std::uint32_t left_out() const { return left_out_; }
 
     /// What the tree is made of: for pictures of it, and for tests.
-    struct node {
-        aabb box;
-        std::uint32_t first = 0;      ///< of two neighbouring children, or of the leaf's indices
-        std::uint32_t size : 30 = 0;  ///< surfaces in a leaf; 0 for an inner node
-        std::uint32_t axis : 2 = 0;   ///< along which the children are divided, the lower one first
-    };
     [[nodiscard]] std::span<const node> nodes() const { return nodes_; }
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
 
 private:
-    template <class Surfaces>
-    static std::vector<aabb> boxes_of(const Surfaces& surfaces) {
-        std::vector<aabb> boxes;
-        boxes.reserve(std::ranges::size(surfaces));
-        for (const auto& s : surfaces) boxes.push_back(bounds(s));
-        return boxes;
+    void adopt(std::size_t surfaces, bvh_layout& layout) {
+        indices_ = std::move(layout.indices());
+        left_out_ = static_cast<std::uint32_t>(surfaces - indices_.size());
     }
 
-    void build(std::span<const aabb> boxes) {
-        for (std::uint32_t i = 0; i < boxes.size(); ++i)
-            if (!empty(boxes[i]) && is_finite(boxes[i].min) && is_finite(boxes[i].max)) indices_.push_back(i);
-        left_out_ = static_cast<std::uint32_t>(boxes.size() - indices_.size());
-        if (indices_.empty()) return;
-        nodes_.reserve(2 * indices_.size() / options_.leaf_size + 1);
-        nodes_.emplace_back();
-        divide(boxes, 0, 0, static_cast<std::uint32_t>(indices_.size()), options_.max_depth);
-    }
-
-    struct cut {
-        std::uint32_t middle;  ///< how many go to the lower child
-        std::uint32_t axis;
-    };
-
-    // Makes nodes_[at] the root of a tree over indices_[first, last) with so many levels left below it.
-    void divide(std::span<const aabb> boxes, std::uint32_t at, std::uint32_t first, std::uint32_t last,
-                std::uint32_t levels) {
-        aabb box, centers;
-        for (std::uint32_t i = first; i < last; ++i) {
-            box = enclose(box, boxes[indices_[i]]);
-            centers = enclose(centers, center(boxes[indices_[i]]));
+    // From the last node to the first: when a parent's turn comes, it is known which stretch of the volumes, in the order of
+    // the leaves, each of its children has.
+    void fit(std::span<const bvh_node<aabb>> boxes, std::span<const Volume> volumes) {
+        nodes_.resize(boxes.size());
+        std::vector<std::uint32_t> begin(boxes.size()), end(boxes.size());
+        for (std::size_t i = boxes.size(); i-- > 0;) {
+            const auto& b = boxes[i];
+            begin[i] = b.size > 0 ? b.first : begin[b.first];
+            end[i] = b.size > 0 ? b.first + b.size : end[b.first + 1];
+            nodes_[i] = {enclose(volumes.subspan(begin[i], end[i] - begin[i])), b.first, b.size, b.axis};
         }
-        nodes_[at].box = box;
-        const std::uint32_t size = last - first;
-        if (size <= options_.leaf_size || levels == 0) {
-            nodes_[at].first = first;
-            nodes_[at].size = size & 0x3fffffffu;
-            return;
-        }
-        const cut c = cut_of(boxes, std::span(indices_).subspan(first, size), centers, levels);
-        const auto children = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.resize(nodes_.size() + 2);
-        nodes_[at].first = children;
-        nodes_[at].axis = c.axis & 3u;
-        divide(boxes, children, first, first + c.middle, levels - 1);
-        divide(boxes, children + 1, first + c.middle, last, levels - 1);
-    }
-
-    // Reorders the indices so that the lower child's come first. A rule that finds no cut, as where all centres are
-    // equal, or that would use up the levels on crumbs, gives way to the median, which always halves.
-    cut cut_of(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers,
-               std::uint32_t levels) const {
-        const bool needs_halving = static_cast<std::uint32_t>(std::bit_width(indices.size() / options_.leaf_size)) >= levels;
-        if (options_.rule != split::median && !needs_halving) {
-            const cut c = options_.rule == split::middle ? middle_cut(boxes, indices, centers)
-                                                         : surface_area_cut(boxes, indices, centers);
-            if (c.middle > 0 && c.middle < indices.size()) return c;
-        }
-        return median_cut(boxes, indices, centers);
-    }
-
-    static std::uint32_t longest_axis(const aabb& box) {
-        const glm::vec3 size = box.max - box.min;
-        return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    }
-
-    static std::uint32_t partition(std::span<std::uint32_t> indices, auto&& below) {
-        return static_cast<std::uint32_t>(std::partition(indices.begin(), indices.end(), below) - indices.begin());
-    }
-
-    static cut middle_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
-        const std::uint32_t axis = longest_axis(centers);
-        const float middle = center(centers)[int(axis)];
-        return {partition(indices, [&](std::uint32_t i) { return center(boxes[i])[int(axis)] < middle; }), axis};
-    }
-
-    static cut median_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
-        const std::uint32_t axis = longest_axis(centers);
-        const std::uint32_t half = static_cast<std::uint32_t>(indices.size() / 2);
-        std::nth_element(indices.begin(), indices.begin() + half, indices.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const float ca = center(boxes[a])[int(axis)], cb = center(boxes[b])[int(axis)];
-            return ca < cb || (ca == cb && a < b);
-        });
-        return {half, axis};
-    }
-
-    static constexpr std::uint32_t bins = 16;
-
-    // The bin of a center; all centers of a degenerate axis share bin 0.
-    static std::uint32_t bin_of(const aabb& box, const aabb& centers, int axis) {
-        const double low = centers.min[axis], extent = double(centers.max[axis]) - low;
-        const double where = extent > 0 ? (double(center(box)[axis]) - low) / extent * bins : 0;
-        return std::min(static_cast<std::uint32_t>(where), bins - 1);
-    }
-
-    // Of 15 cuts on each axis the one with the least sum, over both children, of area times number of surfaces. None
-    // where there is no area to compare, as of points on a line.
-    static cut surface_area_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
-        double least = std::numeric_limits<double>::infinity();
-        int best_axis = 0;
-        std::uint32_t best_bin = bins;
-        for (int axis = 0; axis < 3; ++axis) {
-            std::array<aabb, bins> box{};
-            std::array<std::uint32_t, bins> size{};
-            for (const std::uint32_t i : indices) {
-                const std::uint32_t b = bin_of(boxes[i], centers, axis);
-                box[b] = enclose(box[b], boxes[i]);
-                ++size[b];
-            }
-            std::array<double, bins> below{};  // below[b]: the cost of all in bins 0 … b - 1
-            aabb sum;
-            std::uint32_t count = 0;
-            for (std::uint32_t b = 0; b + 1 < bins; ++b) {
-                sum = enclose(sum, box[b]);
-                count += size[b];
-                below[b + 1] = count > 0 ? surface_area(sum) * count : 0;
-            }
-            sum = {};
-            count = 0;
-            for (std::uint32_t b = bins - 1; b > 0; --b) {
-                sum = enclose(sum, box[b]);
-                count += size[b];
-                const bool both = count > 0 && count < indices.size();
-                const double cost = below[b] + (count > 0 ? surface_area(sum) * count : 0);
-                if (both && cost < least) {
-                    least = cost;
-                    best_axis = axis;
-                    best_bin = b;
-                }
-            }
-        }
-        const auto lower = [&](std::uint32_t i) { return bin_of(boxes[i], centers, best_axis) < best_bin; };
-        return {least > 0 && best_bin < bins ? partition(indices, lower) : 0, static_cast<std::uint32_t>(best_axis)};
     }
 
     std::vector<node> nodes_;
     std::vector<std::uint32_t> indices_;
     std::uint32_t left_out_ = 0;
-    bvh_options options_;
 };
 
 }  // namespace lantern

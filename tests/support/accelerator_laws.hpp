@@ -23,7 +23,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -128,6 +127,12 @@ inline ray adversarial(dice& d, const std::vector<aabb>& boxes, const aabb& all)
     return r;
 }
 
+inline aabb bounds_of(const aabb& box) { return box; }
+template <class Volume>
+aabb bounds_of(const Volume& volume) {
+    return bounds(volume);
+}
+
 /// Where the search for surface `index` was cut off; what the structure shows of itself decides how much can be said.
 template <class Structure>
 std::string wrongly_culled(const Structure& s, std::uint32_t index, const ray& r, interval range) {
@@ -149,12 +154,13 @@ std::string wrongly_culled(const Structure& s, std::uint32_t index, const ray& r
                     below.max[int(n.axis)] = above.min[int(n.axis)] = n.cut;
                     children = {{n.first, below}, {n.first + 1, above}};
                 }
-            } else if constexpr (requires { n.box; }) {
+            } else {
                 leaf = n.size > 0;
-                if constexpr (std::same_as<std::remove_cvref_t<decltype(n.box)>, aabb>) cell = n.box;
+                cell = bounds_of(n.volume);
                 if (!leaf) children = {{n.first, {}}, {n.first + 1, {}}};
             }
-            const bool here = !culled && !overlaps(cell, r, range);
+            bool here = !culled && !overlaps(cell, r, range);
+            if constexpr (requires { n.volume; }) here = !culled && !overlaps(n.volume, r, range);
             bool holds = false;
             if (leaf)
                 for (std::uint32_t i = n.first; i < n.first + n.size; ++i) holds = holds || s.indices()[i] == index;

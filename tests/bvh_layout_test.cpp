@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <lantern/bvh_layout.hpp>
+
+#include "catch.hpp"
+#include "oracle.hpp"
+
+#include <cstdint>
+#include <vector>
+
+using lantern::aabb;
+using lantern::bvh_layout;
+using lantern::split;
+
+TEST_CASE("parents come before children, and what is below a node is one stretch of the indices") {
+    dice d{.state = 1};
+    std::vector<aabb> boxes;
+    for (int i = 0; i < 1000; ++i) {
+        const glm::vec3 p = d.in_cube();
+        boxes.push_back({p, p + d.between(0, 0.1)});
+    }
+    for (const split rule : {split::middle, split::median, split::surface_area, split::bottom_up})
+        for (const std::uint32_t cap : {48u, 9u, 3u, 0u}) {
+            bvh_layout layout(boxes, {.rule = rule, .max_depth = cap});
+            const auto& nodes = layout.nodes();
+            std::vector<std::uint32_t> begin(nodes.size()), end(nodes.size());
+            for (std::uint32_t i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
+                const auto& n = nodes[i];
+                if (n.size == 0) {
+                    REQUIRE((n.first > i && n.first + 1 < nodes.size()));
+                    REQUIRE(end[n.first] == begin[n.first + 1]);
+                }
+                begin[i] = n.size > 0 ? n.first : begin[n.first];
+                end[i] = n.size > 0 ? n.first + n.size : end[n.first + 1];
+                aabb content;
+                for (std::uint32_t k = begin[i]; k < end[i]; ++k) content = enclose(content, boxes[layout.indices()[k]]);
+                REQUIRE((content.min == n.volume.min && content.max == n.volume.max));
+            }
+            REQUIRE((begin[0] == 0 && end[0] == 1000));
+        }
+}
+
+TEST_CASE("the surface area rule expects fewer tests than halving does, and so does joining") {
+    dice d{.state = 2};
+    std::vector<aabb> boxes;  // crowds of different sizes
+    for (int i = 0; i < 4000; ++i) {
+        const float size = i % 4 == 0 ? 1.0f : 0.02f;
+        const glm::vec3 p = glm::vec3(float(i % 5), float(i % 3), float(i % 2)) + d.in_cube(size);
+        boxes.push_back({p, p + 0.1f * size});
+    }
+    const auto cost = [&](split rule) {
+        bvh_layout layout(boxes, {.rule = rule, .leaf_size = 1});
+        double sum = 0;
+        for (const auto& n : layout.nodes()) sum += surface_area(n.volume) * (n.size > 0 ? n.size : 1);
+        return sum / surface_area(layout.nodes()[0].volume);
+    };
+    const double middle = cost(split::middle), median = cost(split::median), area = cost(split::surface_area),
+                 bottom_up = cost(split::bottom_up);
+    INFO("middle " << middle << ", median " << median << ", surface area " << area << ", bottom up " << bottom_up);
+    CHECK(area < median);
+    CHECK(bottom_up < median);
+}
+
+TEST_CASE("nothing has no nodes") {
+    bvh_layout layout({}, {});
+    CHECK(layout.nodes().empty());
+    CHECK(layout.indices().empty());
+}
