@@ -11,6 +11,7 @@ set(LANTERN_FLOOR_0
   hash
   image
   interval
+  lanes
   load
   ray
   samples
@@ -76,6 +77,8 @@ set(LANTERN_FLOOR_2
   sphere
   sphere_light
   triangle
+  triangle_packet
+  wide_bvh
   within
 )
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Four triangles side by side, tested against one ray at once, by the exact rules of `triangle`.
+
+#include <lantern/lanes.hpp>
+#include <lantern/precise.hpp>
+#include <lantern/ray.hpp>
+#include <lantern/triangle.hpp>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lantern {
+
+/// Vertex by vertex, axis by axis, the four triangles' coordinates are neighbours: what one vector register takes. A
+/// packet of fewer than four is filled up with points, which no ray meets.
+struct alignas(32) triangle_packet {
+    float vertex[3][3][4]{};     ///< [a, b or c][x, y or z][which triangle]
+    std::uint32_t index[4]{};  ///< in the mesh
+
+    [[nodiscard]] triangle operator[](std::size_t i) const {
+        const auto corner = [&](std::size_t v) { return glm::vec3(vertex[v][0][i], vertex[v][1][i], vertex[v][2][i]); };
+        return {corner(0), corner(1), corner(2)};
+    }
+    void set(std::size_t i, const triangle& t, std::uint32_t which) {
+        const glm::vec3* const corners[3] = {&t.a, &t.b, &t.c};
+        for (std::size_t v = 0; v < 3; ++v)
+            for (int axis = 0; axis < 3; ++axis) vertex[v][axis][i] = (*corners[v])[axis];
+        index[i] = which;
+    }
+};
+
+/// A ray made ready to be tested against many packets: the shear that turns its direction into (0, 0, 1).
+struct sheared_ray {
+    precise::ray ray;
+    int x, y, z;      ///< z: the axis along which the direction is longest
+    double sx, sy;
+
+    explicit sheared_ray(const lantern::ray& r) : ray(precise::widen(r)) {
+        const glm::dvec3 d = ray.direction, length = glm::abs(d);
+        z = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
+        x = z == 2 ? 0 : z + 1;
+        y = x == 2 ? 0 : x + 1;
+        const double sz = 1 / d[z];
+        sx = -d[x] * sz;
+        sy = -d[y] * sz;
+    }
+};
+
+/// Which triangles the line of a finite ray passes through: bit i for triangle i. The same arithmetic, number by number, as in
+/// `intersect` of a single triangle, so it never decides otherwise; where along the ray the hit is, is left to that.
+[[nodiscard, gnu::always_inline]] inline std::uint32_t passes_through(const triangle_packet& p, const sheared_ray& r) {
+    struct {
+        doubles x, y;
+    } corner[3];
+    const doubles sx = doubles{} + r.sx, sy = doubles{} + r.sy;
+    for (int v = 0; v < 3; ++v) {
+        doubles x, y, z;
+        widen(p.vertex[v][r.x], x);
+        widen(p.vertex[v][r.y], y);
+        widen(p.vertex[v][r.z], z);
+        x -= r.ray.origin[r.x];
+        y -= r.ray.origin[r.y];
+        z -= r.ray.origin[r.z];
+        multiply_add(sx, z, x, corner[v].x);
+        multiply_add(sy, z, y, corner[v].y);
+    }
+    const auto& [A, B, C] = corner;
+    doubles u, v, w;
+    difference_of_products(C.x, B.y, C.y, B.x, u);
+    difference_of_products(A.x, C.y, A.y, C.x, v);
+    difference_of_products(B.x, A.y, B.y, A.x, w);
+    const long_integers outside = ((u < 0) | (v < 0) | (w < 0)) & ((u > 0) | (v > 0) | (w > 0));
+    const doubles sum = u + v + w;
+    return lanes_of(long_integers(~outside & (sum != 0)));
+}
+
+}  // namespace lantern

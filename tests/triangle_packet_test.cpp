@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <lantern/triangle_packet.hpp>
+
+#include <lantern/interval.hpp>
+#include <lantern/precise.hpp>
+
+#include "catch.hpp"
+#include "oracle.hpp"
+
+#include <cstdint>
+
+using lantern::passes_through;
+using lantern::ray;
+using lantern::sheared_ray;
+using lantern::triangle;
+using lantern::triangle_packet;
+
+namespace {
+
+triangle random_triangle(dice& d, double size) {
+    const glm::dvec3 center(d.in_cube());
+    const auto vertex = [&] { return glm::vec3(center + size * d.on_sphere()); };
+    return {vertex(), vertex(), vertex()};
+}
+
+}  // namespace
+
+TEST_CASE("a packet gives its triangles back as they were") {
+    dice d{.state = 1};
+    triangle_packet p;
+    const triangle t = random_triangle(d, 1), s = random_triangle(d, 1);
+    p.set(0, t, 7);
+    p.set(3, s, 9);
+    CHECK((p[0].a == t.a && p[0].b == t.b && p[0].c == t.c));
+    CHECK((p[3].a == s.a && p[3].b == s.b && p[3].c == s.c));
+    CHECK(p.index[0] == 7);
+    CHECK(p.index[3] == 9);
+}
+
+TEST_CASE("a packet decides as its triangles do alone, in any direction, through edges and vertices too") {
+    dice d{.state = 2};
+    int hits = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const double size = i % 3 == 0 ? 1e-3 : 1;
+        triangle_packet p;
+        for (std::uint32_t k = 0; k < 4; ++k) p.set(k, random_triangle(d, size), k);
+        const triangle t = p[d.below(4)];
+        const glm::vec3 o = d.in_cube(3);
+        const glm::vec3 to = i % 4 == 0   ? t.b - o
+                             : i % 4 == 1 ? 0.5f * (t.a + t.b) - o
+                             : i % 4 == 2 ? (t.a + t.b + t.c) / 3.0f - o
+                                          : glm::vec3(0);
+        ray r{o, to};
+        if (i % 4 == 3) {
+            r.direction[static_cast<int>(d.below(3))] = d.below(2) == 0 ? 1.0f : -1.0f;
+            r.origin = t.a - 2.0f * r.direction;
+        }
+        const std::uint32_t lanes = passes_through(p, sheared_ray(r));
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            // Ahead of the origin or behind it: a line passes through either way.
+            const bool alone = intersect(p[k], r, lantern::interval{}) || intersect(p[k], ray{r.origin, -r.direction}, lantern::interval{});
+            if (alone) REQUIRE((lanes >> k & 1) == 1);
+            hits += alone;
+        }
+    }
+    CHECK(hits > 5000);
+}
+
+TEST_CASE("slots that are empty, or hold a point, are never met") {
+    dice d{.state = 3};
+    for (int i = 0; i < 2000; ++i) {
+        triangle_packet p;
+        const glm::vec3 point = d.in_cube();
+        p.set(1, {point, point, point}, 0);
+        const glm::vec3 o = d.in_cube(3);
+        REQUIRE(passes_through(p, sheared_ray({o, point - o})) == 0);
+        REQUIRE(passes_through(p, sheared_ray({o, -o})) == 0);
+        REQUIRE(passes_through(p, sheared_ray({point - glm::vec3(1, 0, 0), {1, 0, 0}})) == 0);
+    }
+}
