@@ -78,7 +78,7 @@ inline std::vector<scene> scenes() {
         row.emplace_back(sphere{{float(i), 0, 0}, 0.5f});
         duplicates.emplace_back(sphere{{1, 2, 3}, 0.25f});
         onion.emplace_back(sphere{{1, 2, 3}, float(i + 1)});
-        points.emplace_back(sphere{{float(d.below(8)), float(d.below(8)), float(d.below(8))}, 0});
+        points.emplace_back(sphere{{float(d.below(16)), float(d.below(16)), float(d.below(16))}, 0});  // in corners of cells
         powers.emplace_back(sphere{d.magnitude_between(-18, 9) * d.in_cube(), d.magnitude_between(-18, 8)});
     }
     stadium.emplace_back(lantern::rectangle{{-100, -1, -100}, {200, 0, 0}, {0, 0, 200}});
