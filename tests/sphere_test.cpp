@@ -291,3 +291,13 @@ TEST_CASE("a ray that leaves a sphere neither meets it again nor loses touch, at
     CHECK(again == 0);
     CHECK(lost == 0);
 }
+
+TEST_CASE("a sphere so small and far that it is a point to double-double has a normal towards the ray, and never NaN") {
+    const glm::vec3 center(3e7f, 1e7f, -2e7f);
+    for (const float radius : {0.0f, 1e-18f, 1e-10f, 1e-3f}) {
+        const auto h = intersect(sphere{center, radius}, ray{{0, 0, 0}, center}, interval{});
+        REQUIRE(h);
+        CHECK(h->t == 1);
+        CHECK(glm::dot(h->normal, glm::normalize(center)) == Approx(-1));
+    }
+}

@@ -69,7 +69,7 @@ inline void validate(const sphere& s) {
     glm::dvec3 normal;
     for (int i = 0; i < 3; ++i)
         normal[i] = (f[std::size_t(i)] + two_product(foot, r.direction[i]) + two_product(along, r.direction[i])).high;
-    if (radius == 0) normal = -r.direction;
+    if (radius == 0 || normal == glm::dvec3(0)) normal = -r.direction;  // a point, or too far away to be more
     normal /= glm::length(normal);
 
     // Measured from the center, or from the ray's origin: whichever rounds less.
