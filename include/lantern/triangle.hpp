@@ -105,6 +105,9 @@ struct plane_hit {
     precise::plane_hit p{above / speed, n};
     if (!(std::abs(above) > scale * precise::size(to) && std::abs(speed) > scale * precise::size(d))) {
         const auto [nearest, farthest] = std::minmax({A.z * sz, B.z * sz, C.z * sz});
+        // Behind the origin for certain: most often the very triangle that the ray has just left.
+        const bool sure = std::abs(above) > 0x1p-30 * scale * precise::size(to) && std::abs(speed) > 0x1p-30 * scale * precise::size(d);
+        if (sure && (above < 0) != (speed < 0) && nearest <= 0 && range.min >= 0) return std::nullopt;
         p = meet_plane_in_doubt(s, precise::ray(r), wa * (A.z * sz) + wb * (B.z * sz) + wc * (C.z * sz), nearest, farthest);
     }
     if (!contains(range, p.t)) return std::nullopt;

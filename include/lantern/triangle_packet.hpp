@@ -3,7 +3,6 @@
 // Four triangles side by side, tested against one ray at once, by the exact rules of `triangle`.
 
 #include <lantern/lanes.hpp>
-#include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
 #include <lantern/triangle.hpp>
 
@@ -35,18 +34,23 @@ struct alignas(32) triangle_packet {
 
 /// A ray made ready to be tested against many packets: the shear that turns its direction into (0, 0, 1).
 struct sheared_ray {
-    precise::ray ray;
-    int x, y, z;      ///< z: the axis along which the direction is longest
+    std::size_t x, y, z;  ///< the axes; z is the one along which the direction is longest
+    double ox, oy, oz;    ///< the origin along them
     double sx, sy;
 
-    explicit sheared_ray(const lantern::ray& r) : ray(precise::widen(r)) {
-        const glm::dvec3 d = ray.direction, length = glm::abs(d);
-        z = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
-        x = z == 2 ? 0 : z + 1;
-        y = x == 2 ? 0 : x + 1;
-        const double sz = 1 / d[z];
-        sx = -d[x] * sz;
-        sy = -d[y] * sz;
+    explicit sheared_ray(const ray& r) {
+        const glm::dvec3 o(r.origin), d(r.direction), length = glm::abs(d);
+        const int kz = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
+        const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
+        x = static_cast<std::size_t>(kx);
+        y = static_cast<std::size_t>(ky);
+        z = static_cast<std::size_t>(kz);
+        ox = o[kx];
+        oy = o[ky];
+        oz = o[kz];
+        const double sz = 1 / d[kz];
+        sx = -d[kx] * sz;
+        sy = -d[ky] * sz;
     }
 };
 
@@ -62,9 +66,9 @@ struct sheared_ray {
         widen(p.vertex[v][r.x], x);
         widen(p.vertex[v][r.y], y);
         widen(p.vertex[v][r.z], z);
-        x -= r.ray.origin[r.x];
-        y -= r.ray.origin[r.y];
-        z -= r.ray.origin[r.z];
+        x -= r.ox;
+        y -= r.oy;
+        z -= r.oz;
         multiply_add(sx, z, x, corner[v].x);
         multiply_add(sy, z, y, corner[v].y);
     }

@@ -62,7 +62,7 @@ static_assert(sizeof(node) == 224 && sizeof(triangle_packet) == 160);
 /// A ray made ready to be tested against many boxes, so that rounding never makes it miss one: see docs/headers.
 struct box_ray {
     floats near_origin[3], far_origin[3], reciprocal[3];
-    int near_plane[3], far_plane[3];
+    std::size_t near_plane[3], far_plane[3];
     float per_unit;   ///< t is multiplied by this, for the longest component of the direction to be between 1 and 2
     bool usable;      ///< finite, and with a direction
 
@@ -72,18 +72,20 @@ struct box_ray {
         const double longest = std::max({length.x, length.y, length.z}), farthest = std::max({away.x, away.y, away.z});
         usable = is_finite(r.origin) && is_finite(r.direction) && longest > 0;
         if (!usable) return;
-        const int exponent = std::ilogb(longest);
-        per_unit = static_cast<float>(std::ldexp(1.0, exponent));
+        // The largest power of two <= longest: its exponent's bits alone.
+        const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) & 0x7ff0000000000000u), scale = 1 / power;
+        per_unit = static_cast<float>(power);
         for (int i = 0; i < 3; ++i) {
             const bool forward = d[i] >= 0;
-            const double direction = std::max(std::ldexp(length[i], -exponent), 0x1p-60);
+            const double direction = std::max(length[i] * scale, 0x1p-60);
             const double shift = 0x1p-22 * away[i] + 0x1p-34 * (farthest + reach);
             const double along = forward ? shift : -shift;
             reciprocal[i] = floats{} + static_cast<float>(forward ? 1 / direction : -1 / direction);
             near_origin[i] = floats{} + rounded(o[i] + along);
             far_origin[i] = floats{} + rounded(o[i] - along);
-            near_plane[i] = forward ? i : i + 3;
-            far_plane[i] = forward ? i + 3 : i;
+            const auto lower = static_cast<std::size_t>(i), upper = lower + 3;
+            near_plane[i] = forward ? lower : upper;
+            far_plane[i] = forward ? upper : lower;
         }
     }
 
@@ -455,6 +457,10 @@ private:
                 const wide::node& node = at<wide::node>(next);
                 floats entry;
                 std::uint32_t met = overlaps(node, r, min, max, entry);
+                if (std::has_single_bit(met)) {
+                    next = node.child[std::countr_zero(met)];
+                    continue;
+                }
                 if (met != 0) {
                     const integers distance = reinterpret_cast<integers>(entry);
                     const std::size_t before = count;
@@ -463,7 +469,9 @@ private:
                         fetch(node.child[i]);
                         waiting[count++] = std::uint64_t{static_cast<std::uint32_t>(distance[i])} << 32 | node.child[i];
                     }
-                    if constexpr (near_first) sort(std::span(waiting).subspan(before, count - before));
+                    if constexpr (near_first) sort(&waiting[before], count - before);
+                    next = static_cast<std::uint32_t>(waiting[--count]);
+                    continue;
                 }
             }
             do {
@@ -474,21 +482,21 @@ private:
     }
 
     // The nearest last.
-    [[gnu::always_inline]] static void sort(std::span<std::uint64_t> keys) {
+    [[gnu::always_inline]] static void sort(std::uint64_t* keys, std::size_t count) {
         const auto order = [&](std::size_t i, std::size_t j) {
             const std::uint64_t a = keys[i], b = keys[j];
             keys[i] = std::max(a, b);
             keys[j] = std::min(a, b);
         };
-        if (keys.size() == 2) {
-            order(0, 1);
-        } else if (keys.size() == 3) {
-            order(0, 1);
-            order(1, 2);
-            order(0, 1);
-        } else {
-            for (std::size_t i = 1; i < keys.size(); ++i)
-                for (std::size_t j = i; j > 0 && keys[j - 1] < keys[j]; --j) std::swap(keys[j - 1], keys[j]);
+        order(0, 1);
+        if (count == 2) return;
+        order(1, 2);
+        order(0, 1);
+        for (std::size_t i = 3; i < count; ++i) {  // seldom
+            const std::uint64_t key = keys[i];
+            std::size_t j = i;
+            for (; j > 0 && keys[j - 1] < key; --j) keys[j] = keys[j - 1];
+            keys[j] = key;
         }
     }
 
