@@ -33,7 +33,6 @@
 #include <string>
 #include <system_error>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace lantern {
@@ -68,24 +67,24 @@ struct box_ray {
 
     /// `reach`: the largest coordinate of anything in the boxes.
     box_ray(const ray& r, float reach) {
-        const glm::dvec3 o(r.origin), d(r.direction), length = glm::abs(d), away = glm::abs(o);
-        const double longest = std::max({length.x, length.y, length.z}), farthest = std::max({away.x, away.y, away.z});
+        const doubles o{r.origin.x, r.origin.y, r.origin.z, 0}, d{r.direction.x, r.direction.y, r.direction.z, 0};
+        const doubles away = o < 0 ? -o : o, length = d < 0 ? -d : d;
+        const double longest = std::max({length[0], length[1], length[2]}), farthest = std::max({away[0], away[1], away[2]});
         usable = is_finite(r.origin) && is_finite(r.direction) && longest > 0;
         if (!usable) return;
         // The largest power of two <= longest: its exponent's bits alone.
         const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) & 0x7ff0000000000000u), scale = 1 / power;
         per_unit = static_cast<float>(power);
-        for (int i = 0; i < 3; ++i) {
-            const bool forward = d[i] >= 0;
-            const double direction = std::max(length[i] * scale, 0x1p-60);
-            const double shift = 0x1p-22 * away[i] + 0x1p-34 * (farthest + reach);
-            const double along = forward ? shift : -shift;
-            reciprocal[i] = floats{} + static_cast<float>(forward ? 1 / direction : -1 / direction);
-            near_origin[i] = floats{} + rounded(o[i] + along);
-            far_origin[i] = floats{} + rounded(o[i] - along);
-            const auto lower = static_cast<std::size_t>(i), upper = lower + 3;
-            near_plane[i] = forward ? lower : upper;
-            far_plane[i] = forward ? upper : lower;
+        const doubles least = doubles{} + 0x1p-60, scaled = length * scale, raised = scaled > least ? scaled : least;
+        const doubles shift = 0x1p-22 * away + 0x1p-34 * (farthest + reach);
+        const doubles per_length = d < 0 ? -1 / raised : 1 / raised, along = d < 0 ? -shift : shift;
+        const doubles near = o + along, far = o - along;
+        for (std::size_t i = 0; i < 3; ++i) {
+            reciprocal[i] = floats{} + static_cast<float>(per_length[i]);
+            near_origin[i] = floats{} + rounded(near[i]);
+            far_origin[i] = floats{} + rounded(far[i]);
+            near_plane[i] = d[i] < 0 ? i + 3 : i;
+            far_plane[i] = d[i] < 0 ? i : i + 3;
         }
     }
 
@@ -132,8 +131,10 @@ public:
     builder(std::span<item> items, unsigned threads)
         : items_(items), branches_(std::make_unique_for_overwrite<branch[]>(2 * items.size())),
           idle_(static_cast<int>(threads) - 1) {
-        branches_[0] = {box_of(0, static_cast<std::uint32_t>(items.size())).first, 0, static_cast<std::uint32_t>(items.size()), 0};
-        divide(0, max_depth);
+        const auto count = static_cast<std::uint32_t>(items.size());
+        const extent all = extent_of(0, count);
+        branches_[0] = {all.box, 0, count, 0};
+        divide(0, all.centers, max_depth);
     }
 
     [[nodiscard]] const branch& operator[](std::uint32_t i) const { return branches_[i]; }
@@ -141,47 +142,45 @@ public:
 private:
     static constexpr std::uint32_t bins = 16;
 
-    /// Around items, and around their centers.
-    [[nodiscard]] std::pair<aabb, aabb> box_of(std::uint32_t first, std::uint32_t count) const {
-        aabb box, centers;
+    struct extent {
+        aabb box, centers;  ///< around items, and around their centers
+    };
+    [[nodiscard]] extent extent_of(std::uint32_t first, std::uint32_t count) const {
+        extent e;
         for (const item& i : items_.subspan(first, count)) {
-            box = enclose(box, i.box);
-            centers = enclose(centers, center(i.box));
+            e.box = enclose(e.box, i.box);
+            e.centers = enclose(e.centers, center(i.box));
         }
-        return {box, centers};
+        return e;
     }
 
-    void divide(std::uint32_t at, std::uint32_t levels) {
-        branch& b = branches_[at];
-        b.children = 0;
+    void divide(std::uint32_t at, const aabb& centers, std::uint32_t levels) {
+        const branch b = branches_[at];
         if (b.count <= leaf_size) return;
-        const std::uint32_t middle = cut(b, levels);
-        b.children = used_.fetch_add(2);
-        const std::uint32_t lower = b.children, upper = lower + 1;
-        branches_[lower] = {box_of(b.first, middle).first, b.first, middle, 0};
-        branches_[upper] = {box_of(b.first + middle, b.count - middle).first, b.first + middle, b.count - middle, 0};
-        if (b.count > 10'000 && idle_.fetch_sub(1) > 0) {
-            std::optional<std::jthread> helper;
+        const std::uint32_t middle = cut(b, centers, levels);
+        const std::uint32_t lower = used_.fetch_add(2), upper = lower + 1;
+        const extent low = extent_of(b.first, middle), high = extent_of(b.first + middle, b.count - middle);
+        branches_[at].children = lower;
+        branches_[lower] = {low.box, b.first, middle, 0};
+        branches_[upper] = {high.box, b.first + middle, b.count - middle, 0};
+        const bool large = b.count > 10'000;
+        std::optional<std::jthread> helper;
+        if (large && idle_.fetch_sub(1) > 0) {
             try {
-                helper.emplace([this, lower, levels] { divide(lower, levels - 1); });
+                helper.emplace([&] { divide(lower, low.centers, levels - 1); });
             } catch (const std::system_error&) {  // no more threads to be had
-                divide(lower, levels - 1);
             }
-            divide(upper, levels - 1);
-            helper.reset();
-            idle_.fetch_add(1);
-            return;
         }
-        if (b.count > 10'000) idle_.fetch_add(1);
-        divide(lower, levels - 1);
-        divide(upper, levels - 1);
+        if (!helper) divide(lower, low.centers, levels - 1);
+        divide(upper, high.centers, levels - 1);
+        helper.reset();
+        if (large) idle_.fetch_add(1);
     }
 
     // Orders the items and says how many go to the lower child: where area times packets, summed over both children, is
     // least; into halves where no cut is found, or where the levels would run out otherwise.
-    std::uint32_t cut(const branch& b, std::uint32_t levels) {
+    std::uint32_t cut(const branch& b, const aabb& centers, std::uint32_t levels) {
         const std::span<item> items = items_.subspan(b.first, b.count);
-        const aabb centers = box_of(b.first, b.count).second;
         const bool needs_halving = static_cast<std::uint32_t>(std::bit_width(b.count / leaf_size)) >= levels;
         if (const std::uint32_t middle = needs_halving ? 0 : best_cut(items, centers); middle > 0) return middle;
         const glm::vec3 size = centers.max - centers.min;
@@ -203,8 +202,8 @@ private:
     std::uint32_t best_cut(std::span<item> items, const aabb& centers) const {
         glm::vec3 scale;  // from a center to its bin
         for (int axis = 0; axis < 3; ++axis) {
-            const float extent = centers.max[axis] - centers.min[axis];
-            scale[axis] = extent > 0 ? std::min(0.9999f * float(bins) / extent, std::numeric_limits<float>::max()) : 0;
+            const float size = centers.max[axis] - centers.min[axis];
+            scale[axis] = size > 0 ? std::min(0.9999f * float(bins) / size, std::numeric_limits<float>::max()) : 0;
         }
         const auto bin_of = [&](const item& i, int axis) {
             const float where = (center(i.box)[axis] - centers.min[axis]) * scale[axis];
