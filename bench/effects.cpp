@@ -4,16 +4,15 @@
 
 #include "exact_scenes.hpp"
 
+#include "command_line.hpp"
+
 #include <lantern/render.hpp>
 #include <lantern/validate.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,10 +22,9 @@ namespace {
 using exact_scenes::effort;
 using exact_scenes::outcome;
 
-struct options {
+struct options : bench::output {
     effort how{.side = 4, .renderings = 62'500};  // 10⁶ samples
     unsigned threads = 0;
-    bool csv = false, json = false, check = false;
 };
 
 std::vector<outcome> measure(const options& wish) {
@@ -102,58 +100,25 @@ bool passes(const std::vector<outcome>& all, const options& wish) {
     return failures == 0;
 }
 
-std::uint32_t number(std::string_view option, std::string_view text, std::uint32_t least) {
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < least)
-        lantern::refuse(std::string(option), "'" + std::string(text) + "'",
-                        "a whole number, at least " + std::to_string(least));
-    return value;
-}
-
 options parse(int argc, char** argv) {
-    options wish;
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        const auto value = [&]() -> std::string_view { return ++i < argc ? argv[i] : ""; };
-        if (word == "--renderings")
-            wish.how.renderings = number(word, value(), 2);
-        else if (word == "--side")
-            wish.how.side = number(word, value(), 2);
-        else if (word == "--threads")
-            wish.threads = number(word, value(), 1);
-        else if (word == "--csv")
-            wish.csv = true;
-        else if (word == "--json")
-            wish.json = true;
-        else if (word == "--check")
-            wish.check = true;
-        else
-            lantern::refuse("argument", "'" + std::string(word) + "'",
-                            "one of --renderings N, --side N, --threads N, --csv, --json, --check");
-    }
-    return wish;
+    return bench::parse<options>(argc, argv, "--renderings N, --side N, --threads N", [](options& o, std::string_view word, auto next) {
+        if (word == "--renderings") o.how.renderings = bench::number<std::uint32_t>(word, next(), 2);
+        else if (word == "--side") o.how.side = bench::number<std::uint32_t>(word, next(), 2);
+        else if (word == "--threads") o.threads = bench::number<unsigned>(word, next(), 1);
+        else return false;
+        return true;
+    });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
+    return bench::run("effects", [&] {
         const options wish = parse(argc, argv);
         const std::vector<outcome> all = measure(wish);
-        if (wish.json)
-            print_json(all);
-        else if (wish.csv)
-            print_csv(all);
-        else
-            print_table(all, wish);
-        std::fflush(stdout);
-        return wish.check && !passes(all, wish) ? 1 : 0;
-    } catch (const std::invalid_argument& problem) {
-        std::fprintf(stderr, "effects: %s\n", problem.what());
-        return 2;
-    } catch (const std::exception& problem) {
-        std::fprintf(stderr, "effects: %s\n", problem.what());
-        return 1;
-    }
+        if (wish.json) print_json(all);
+        else if (wish.csv) print_csv(all);
+        else print_table(all, wish);
+        return !wish.check || passes(all, wish);
+    });
 }

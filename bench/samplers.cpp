@@ -2,17 +2,17 @@
 // How fast the error of each sampler falls: RMSE against the exact integral, over many seeds.
 //     samplers [--seeds N] [--first N] [--threads N] [--csv | --json] [--check]
 
+#include "command_line.hpp"
+
 #include <lantern/halton.hpp>
 #include <lantern/render.hpp>
 #include <lantern/samples.hpp>
 #include <lantern/sobol.hpp>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -164,11 +164,10 @@ struct row {
     const expectation* reference = nullptr;
 };
 
-struct options {
+struct options : bench::output {
     std::uint32_t seeds = 4000;
     std::uint64_t first = 0;
     unsigned threads = 2;
-    bool csv = false, json = false, check = false;
 };
 
 bool is_terminal() {
@@ -321,59 +320,25 @@ bool passes(const std::vector<row>& rows, const options& wish) {
     return failures == 0;
 }
 
-template <class Number>
-Number number(std::string_view option, std::string_view text, Number least) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < least)
-        lantern::refuse(std::string(option), "'" + std::string(text) + "'",
-                        "a whole number, at least " + std::to_string(least));
-    return value;
-}
-
 options parse(int argc, char** argv) {
-    options wish;
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        const auto value = [&]() -> std::string_view { return ++i < argc ? argv[i] : ""; };
-        if (word == "--seeds")
-            wish.seeds = number<std::uint32_t>(word, value(), 2);
-        else if (word == "--first")
-            wish.first = number<std::uint64_t>(word, value(), 0);
-        else if (word == "--threads")
-            wish.threads = number<unsigned>(word, value(), 1);
-        else if (word == "--csv")
-            wish.csv = true;
-        else if (word == "--json")
-            wish.json = true;
-        else if (word == "--check")
-            wish.check = true;
-        else
-            lantern::refuse("argument", "'" + std::string(word) + "'",
-                            "one of --seeds N, --first N, --threads N, --csv, --json, --check");
-    }
-    return wish;
+    return bench::parse<options>(argc, argv, "--seeds N, --first N, --threads N", [](options& o, std::string_view word, auto next) {
+        if (word == "--seeds") o.seeds = bench::number<std::uint32_t>(word, next(), 2);
+        else if (word == "--first") o.first = bench::number<std::uint64_t>(word, next(), 0);
+        else if (word == "--threads") o.threads = bench::number<unsigned>(word, next(), 1);
+        else return false;
+        return true;
+    });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
+    return bench::run("samplers", [&] {
         const options wish = parse(argc, argv);
         const std::vector<row> rows = measure(wish);
-        if (wish.json)
-            print_json(rows);
-        else if (wish.csv)
-            print_csv(rows);
-        else
-            print_table(rows, wish);
-        std::fflush(stdout);
-        return wish.check && !passes(rows, wish) ? 1 : 0;
-    } catch (const std::invalid_argument& problem) {
-        std::fprintf(stderr, "samplers: %s\n", problem.what());
-        return 2;
-    } catch (const std::exception& problem) {
-        std::fprintf(stderr, "samplers: %s\n", problem.what());
-        return 1;
-    }
+        if (wish.json) print_json(rows);
+        else if (wish.csv) print_csv(rows);
+        else print_table(rows, wish);
+        return !wish.check || passes(rows, wish);
+    });
 }

@@ -5,6 +5,8 @@
 
 #include "meshes.hpp"
 
+#include "command_line.hpp"
+
 #include <lantern/basis.hpp>
 #include <lantern/bvh.hpp>
 #include <lantern/closest.hpp>
@@ -23,16 +25,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,11 +43,10 @@ using lantern::interval;
 using lantern::mesh;
 using lantern::ray;
 
-struct options {
+struct options : bench::output {
     std::uint32_t triangles = 200'000, rays = 200'000, rounds = 5;
     unsigned threads = 1;
     std::string scene, obj;
-    bool csv = false, json = false, check = false;
 };
 
 /// What a structure says of a ray: t of the closest hit, infinity for a miss. Shadow rays: 0 for a hit.
@@ -374,66 +372,30 @@ bool passes(const std::vector<row>& rows) {
     return good;
 }
 
-std::uint32_t number(std::string_view option, std::string_view text) {
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < 1)
-        lantern::refuse(std::string(option), "'" + std::string(text) + "'", "a whole number, at least 1");
-    return value;
-}
-
 options parse(int argc, char** argv) {
-    options wish;
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        const auto value = [&]() -> std::string_view { return ++i < argc ? argv[i] : ""; };
-        if (word == "--triangles")
-            wish.triangles = number(word, value());
-        else if (word == "--rays")
-            wish.rays = number(word, value());
-        else if (word == "--rounds")
-            wish.rounds = number(word, value());
-        else if (word == "--threads")
-            wish.threads = number(word, value());
-        else if (word == "--scene")
-            wish.scene = value();
+    return bench::parse<options>(argc, argv, "--triangles N, --rays N, --rounds N, --threads N, --scene NAME, --obj FILE (with tinyobjloader)", [](options& o, std::string_view word, auto next) {
+        if (word == "--triangles") o.triangles = bench::number<std::uint32_t>(word, next(), 1);
+        else if (word == "--rays") o.rays = bench::number<std::uint32_t>(word, next(), 1);
+        else if (word == "--rounds") o.rounds = bench::number<std::uint32_t>(word, next(), 1);
+        else if (word == "--threads") o.threads = bench::number<std::uint32_t>(word, next(), 1);
+        else if (word == "--scene") o.scene = next();
 #if defined(LANTERN_HAS_OBJ)
-        else if (word == "--obj")
-            wish.obj = value();
+        else if (word == "--obj") o.obj = next();
 #endif
-        else if (word == "--csv")
-            wish.csv = true;
-        else if (word == "--json")
-            wish.json = true;
-        else if (word == "--check")
-            wish.check = true;
-        else
-            lantern::refuse("argument", "'" + std::string(word) + "'",
-                            "one of --triangles N, --rays N, --rounds N, --threads N, --scene NAME, --obj FILE (with "
-                            "tinyobjloader), --csv, --json, --check");
-    }
-    return wish;
+        else return false;
+        return true;
+    });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
+    return bench::run("trace", [&] {
         const options wish = parse(argc, argv);
         const std::vector<row> rows = measure(wish);
-        if (wish.json)
-            print_json(rows);
-        else if (wish.csv)
-            print_csv(rows);
-        else
-            print_table(rows, wish);
-        std::fflush(stdout);
-        return wish.check && !passes(rows) ? 1 : 0;
-    } catch (const std::invalid_argument& problem) {
-        std::fprintf(stderr, "trace: %s\n", problem.what());
-        return 2;
-    } catch (const std::exception& problem) {
-        std::fprintf(stderr, "trace: %s\n", problem.what());
-        return 1;
-    }
+        if (wish.json) print_json(rows);
+        else if (wish.csv) print_csv(rows);
+        else print_table(rows, wish);
+        return !wish.check || passes(rows);
+    });
 }
