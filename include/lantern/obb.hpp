@@ -149,7 +149,8 @@ void for_each_ditetrahedral_frame(std::span<const glm::dvec3> extremes, Visit&& 
     const glm::dvec3 c = farthest([&](const glm::dvec3& p) { return glm::length(glm::cross(p - a, b - a)); });
     const auto visit_triangle = [&](const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
         const glm::dvec3 n = glm::cross(q - p, r - p);
-        if (!(glm::length(n) > 0)) return;
+        // Of points in line, and where an apex is a corner, nothing is left but rounding, and that has any direction.
+        if (!(glm::length(n) > 0x1p-26 * glm::length(q - p) * glm::length(r - p))) return;
         for (const glm::dvec3& edge : {q - p, r - q, p - r}) {
             const glm::dvec3 u = glm::normalize(edge), w = glm::normalize(n);
             visit(frame{u, glm::cross(w, u), w});
