@@ -99,9 +99,7 @@ public:
 
 private:
     static std::string numbered(const char* what, std::size_t i) {
-        std::string text = what;
-        text += "[" + std::to_string(i) + "]";
-        return text;
+        return std::string(what).append("[").append(std::to_string(i)).append("]");
     }
     static void require_finite_each(const std::vector<glm::vec3>& values, const char* what) {
         for (std::size_t i = 0; i < values.size(); ++i)
