@@ -43,7 +43,8 @@ public:
             const glm::uvec3 t = triangles_[i];
             if (std::max({t.x, t.y, t.z}) >= vertices_.size())
                 refuse(numbered("mesh: triangles", i),
-                       "(" + std::to_string(t.x) + ", " + std::to_string(t.y) + ", " + std::to_string(t.z) + ")",
+                       std::string("(").append(std::to_string(t.x)).append(", ").append(std::to_string(t.y)).append(", ").append(
+                           std::to_string(t.z)).append(")"),
                        "three indices below " + std::to_string(vertices_.size()));
         }
     }
