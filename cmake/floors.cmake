@@ -83,6 +83,7 @@ set(LANTERN_FLOOR_2
 )
 
 set(LANTERN_FLOOR_3
+  convergence
   direct
   distribution
   exact

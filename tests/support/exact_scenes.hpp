@@ -178,7 +178,7 @@ using paint = std::variant<lantern::mirror, lantern::glossy, lantern::diffuse>;
 /// Renders with a lens and a shutter of these types, the smallest that the effects need.
 template <class Shape, class Lens, class Shutter>
 [[nodiscard]] outcome render_stage(const stage& s, const effects& on, const Lens& lens, const Shutter& shutter,
-                                   effort how) {
+                                   effort how, const known& exactly) {
     const glm::vec3 n(s.n), along(s.along);
     const auto square = [](float size, float height) {
         return lantern::rectangle{{-size, -size, height}, {2 * size, 0, 0}, {0, 2 * size, 0}};
@@ -214,24 +214,27 @@ template <class Shape, class Lens, class Shutter>
     const lantern::camera cam{
         lantern::view{.eye = {0, 0, float(s.eye)}, .target = {0, 0, 0}, .up = {0, 1, 0}, .vertical_fov = s.fov}, lens,
         shutter};
-    const known exactly = predict(s, on, how.side);
     return on.film ? render_often(exactly, cam, tracer, lantern::box_filter{}, how)
                    : render_often(exactly, cam, tracer, point_filter{}, how);
 }
 
 template <class Lens>
-[[nodiscard]] outcome render_stage(const stage& s, const effects& on, const Lens& lens, effort how) {
-    return on.time ? render_stage<still_or_moving>(s, on, lens, lantern::shutter{}, how)
-                   : render_stage<lantern::rectangle>(s, on, lens, lantern::instant{}, how);
+[[nodiscard]] outcome render_stage(const stage& s, const effects& on, const Lens& lens, effort how, const known& exactly) {
+    return on.time ? render_stage<still_or_moving>(s, on, lens, lantern::shutter{}, how, exactly)
+                   : render_stage<lantern::rectangle>(s, on, lens, lantern::instant{}, how, exactly);
 }
 
 }  // namespace detail
 
-[[nodiscard]] inline outcome render(const effects& on, effort how, const stage& s = {}) {
-    if (!on.lens) return detail::render_stage(s, on, lantern::pinhole{}, how);
+/// Renders, and compares with what is known already.
+[[nodiscard]] inline outcome render(const effects& on, effort how, const known& exactly, const stage& s = {}) {
+    if (!on.lens) return detail::render_stage(s, on, lantern::pinhole{}, how, exactly);
     if (on.round_lens)
-        return detail::render_stage(s, on, lantern::thin_lens{float(s.lens_radius), float(s.focus)}, how);
-    return detail::render_stage(s, on, square_lens{float(s.lens_side), float(s.focus)}, how);
+        return detail::render_stage(s, on, lantern::thin_lens{float(s.lens_radius), float(s.focus)}, how, exactly);
+    return detail::render_stage(s, on, square_lens{float(s.lens_side), float(s.focus)}, how, exactly);
+}
+[[nodiscard]] inline outcome render(const effects& on, effort how, const stage& s = {}) {
+    return render(on, how, predict(s, on, how.side), s);
 }
 
 // ---- one effect at a time, at angles that are not small -------------------------------------------------------------
