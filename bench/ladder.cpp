@@ -72,12 +72,15 @@ std::vector<row> climb(const options& wish) {
     return all;
 }
 
+/// Without any effect nothing scatters, and the error of rounding has no standard error to be measured by.
+double shown_z(const row& r) { return r.what->dimensions > 0 ? r.result.z : 0; }
+
 void print_table(const std::vector<row>& all, const options& wish) {
     std::printf("%u renderings of %u samples\n\n%-28s%11s%12s%9s%11s%11s%7s\n", wish.how.renderings, wish.how.side * wish.how.side,
                 "", "dimensions", "ns a sample", "exact", "predicted", "measured", "z");
     for (const row& r : all)
         std::printf("%-28s%11u%12.0f%9.5f%11.5f%11.5f%7.2f\n", std::string(r.what->adds).c_str(), r.what->dimensions, 1e9 * r.seconds,
-                    r.result.mean, r.result.rmse, r.result.rendered_rmse, r.result.z);
+                    r.result.mean, r.result.rmse, r.result.rendered_rmse, shown_z(r));
 }
 
 void print_json(const std::vector<row>& all, const options& wish) {
@@ -87,7 +90,7 @@ void print_json(const std::vector<row>& all, const options& wish) {
         std::printf("%s\n{\"adds\":\"%s\",\"dimensions\":%u,\"seconds_per_sample\":%.6e,\"mean\":%.9f,\"rmse\":%.6e,"
                     "\"predicted\":%.6e,\"z\":%.3f}",
                     comma, std::string(r.what->adds).c_str(), r.what->dimensions, r.seconds, r.result.mean, r.result.rendered_rmse,
-                    r.result.rmse, std::isfinite(r.result.z) ? r.result.z : 0.0);
+                    r.result.rmse, shown_z(r));
         comma = ",";
     }
     std::printf("]}\n");

@@ -7,6 +7,7 @@ set(LANTERN_FLOOR_0
   centered
   basis
   double_double
+  exact_sum
   halton
   hash
   image
@@ -90,6 +91,7 @@ set(LANTERN_FLOOR_3
   exact_error
   exact_light
   render
+  shard
   validate_scene
   whitted
 )

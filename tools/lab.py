@@ -16,7 +16,7 @@ COMMANDS = {
     "Start here": ["demo", "test"],
     "The labs": ["list", "run", "check"],
     "The machine": ["doctor", "setup"],
-    "For those who change Lantern": ["starters", "mutants", "bench"],
+    "For those who change Lantern": ["starters", "mutants", "bench", "report"],
 }
 
 

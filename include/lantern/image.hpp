@@ -47,15 +47,9 @@ public:
 
     [[nodiscard]] bool operator==(const image&) const = default;
 
-private:
-    glm::uvec2 size_;
-    std::vector<glm::vec3> pixels_;
-    std::uint64_t rejected_ = 0;
-
-    [[nodiscard]] static std::size_t area(glm::uvec2 size) { return std::size_t{size.x} * size.y; }
-
-    // Texts are appended: of "text" + std::string GCC 12 warns without reason (its bug 105329).
+    /// The size itself, unless it is refused: as the constructor does, but nothing is allocated.
     [[nodiscard]] static glm::uvec2 checked(glm::uvec2 size) {
+        // Texts are appended: of "text" + std::string GCC 12 warns without reason (its bug 105329).
         const auto shown = [=] { return std::to_string(size.x) + " x " + std::to_string(size.y); };
         if (size.x == 0 || size.y == 0 || size.x > longest_side || size.y > longest_side)
             refuse("image: size", shown(), std::string("1 to ").append(std::to_string(longest_side)).append(" on each side"));
@@ -63,6 +57,13 @@ private:
             refuse("image: size", shown(), std::string("at most ").append(std::to_string(most_pixels)).append(" pixels"));
         return size;
     }
+
+private:
+    glm::uvec2 size_;
+    std::vector<glm::vec3> pixels_;
+    std::uint64_t rejected_ = 0;
+
+    [[nodiscard]] static std::size_t area(glm::uvec2 size) { return std::size_t{size.x} * size.y; }
 
     [[nodiscard]] std::size_t index(std::uint32_t x, std::uint32_t y) const {
         assert(x < size_.x && y < size_.y);

@@ -73,17 +73,31 @@ concept shade_for = requires(const Shade& shade, const Camera& cam, const Sample
     } -> std::convertible_to<glm::vec3>;
 };
 
-/// All samples of one pixel. It depends on nothing but the arguments, so an image does not depend on who renders what.
+/// What one sample saw, and what it counts for.
+struct weighted_color {
+    glm::vec3 color{0};
+    float weight = 1;
+};
+
+/// Sample i of one pixel. It depends on nothing but the arguments, so an image does not depend on who renders what.
+template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, pixel_filter Filter = box_filter>
+[[nodiscard]] weighted_color render_sample(glm::uvec2 pixel, glm::uvec2 size, const Camera& cam, const Sampler& samples,
+                                           std::uint32_t i, const Shade& shade, const Filter& filter = {}) {
+    const auto source = samples.at(pixel, i);
+    const auto [offset, weight] = sample(filter, source.draw2(purpose::film));
+    const glm::vec2 film = (glm::vec2(pixel) + 0.5f + offset) / glm::vec2(size);
+    return {shade(shoot(cam, film, source), source), weight};
+}
+
+/// All samples of one pixel.
 template <class Camera, sampler Sampler, shade_for<Camera, Sampler> Shade, pixel_filter Filter = box_filter>
 [[nodiscard]] accumulator render_pixel(glm::uvec2 pixel, glm::uvec2 size, const Camera& cam, const Sampler& samples,
                                        const Shade& shade, const Filter& filter = {}) {
     accumulator sum;
     const std::uint32_t count = samples.count();
     for (std::uint32_t i = 0; i < count; ++i) {
-        const auto source = samples.at(pixel, i);
-        const auto [offset, weight] = sample(filter, source.draw2(purpose::film));
-        const glm::vec2 film = (glm::vec2(pixel) + 0.5f + offset) / glm::vec2(size);
-        sum.add(shade(shoot(cam, film, source), source), weight);
+        const auto [color, weight] = render_sample(pixel, size, cam, samples, i, shade, filter);
+        sum.add(color, weight);
     }
     return sum;
 }

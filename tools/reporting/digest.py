@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+"""From measurements to figures and to sentences."""
+
+from typing import Any, Iterable
+
+from reporting import pieces
+
+# What the slope of RMSE against samples must come to for many samples. Two numbers a sample, an edge across the square: only
+# the cells that it crosses are uncertain, hence -3/4 for every sampler that fills cells (docs/headers/exact_error.md). One number,
+# N strata: -1. N-rooks fill rows and columns alone: an edge at a slant gains nothing from that in the limit.
+THEORY = {1: {"random": -0.5}, 2: {"random": -0.5, "N-rooks": -0.5}}
+STRATIFIED = {1: -1.0, 2: -0.75}
+
+
+def theory(sampler: str, dimensions: int) -> float:
+    return THEORY[dimensions].get(sampler, STRATIFIED[dimensions])
+
+
+def in_words(slope: float) -> str:
+    return {-0.5: "−1/2", -0.75: "−3/4", -1.0: "−1"}[slope]
+
+
+def digest(plan: list[pieces.Piece], answers: dict[str, Any], settings: dict, environment: dict) -> dict:
+    """Everything that the page shows, as one JSON value."""
+    effects = []
+    for effect in pieces.EFFECTS:
+        curves = [curve(answers[f"{effect}, {sampler}"]) for sampler in pieces.SAMPLERS]
+        effects.append({"name": effect, "tells": curves[0]["tells"], "dimensions": curves[0]["dimensions"],
+                        "pixels": curves[0]["pixels"], "curves": curves})
+    for effect in effects:
+        effect["sentence"] = sentence(effect)
+    return {"environment": environment, "settings": settings, "effects": effects, "ladder": ladder(answers)}
+
+
+def curve(answer: dict) -> dict:
+    """One sampler on one effect: what was measured, and what follows from it."""
+    one = dict(answer["curves"][0])
+    one["pixels"] = answer["width"] * answer["height"]
+    one["fitted_from"] = answer["fitted_from"]
+    one["theory"] = theory(one["sampler"], one["dimensions"])
+    one["largest_z"] = max((abs(row["z"]) for row in one["rows"]), default=0)
+    one["not_finite"] = sum(row["not_finite"] for row in one["rows"])
+    for row in one["rows"]:
+        row["seconds"] = row["samples"] * one["seconds_per_sample"] * one["pixels"]
+    one["half_error_costs"] = 2 ** (-1 / one["slope"]) if one["slope"] < 0 else None
+    one["seconds_to_one_percent"] = seconds_to(one["rows"], 0.01)
+    one["verdict"] = verdict(one)
+    return one
+
+
+def seconds_to(rows: list[dict], error: float) -> float | None:
+    """Along the line through the logarithms of the two nearest measurements, and of the last two beyond these."""
+    import math
+    if len(rows) < 2:
+        return None
+    k = 1
+    while k + 1 < len(rows) and rows[k]["rmse"] > error:
+        k += 1
+    before, after = rows[k - 1], rows[k]
+    if not 0 < after["rmse"] < before["rmse"]:
+        return None
+    steps = math.log(error / before["rmse"]) / math.log(after["rmse"] / before["rmse"])
+    return before["seconds"] * (after["seconds"] / before["seconds"]) ** steps
+
+
+def verdict(one: dict) -> str:
+    """How the measured slope stands to theory."""
+    low, high, limit, found = one["slope_low"], one["slope_high"], one["theory"], one["predicted_slope"]
+    if low <= limit <= high:
+        return "as theory says"
+    if found is not None and low - 0.005 <= found <= high + 0.005:
+        return f"as the closed form says for these numbers of samples: {found:.3f}"
+    if abs(one["slope"] - limit) <= 0.03:
+        return f"near the limit {in_words(limit)} for many samples"
+    if one["sampler"] == "N-rooks" and one["slope"] < limit:
+        return "better than its limit −1/2: these edges are nearly upright, and rows and columns help there"
+    return "not explained"
+
+
+def sentence(effect: dict) -> str:
+    """The curve of jittered samples, in words."""
+    one = next(c for c in effect["curves"] if c["sampler"] == "jittered")
+    aside = max(one["slope_high"] - one["slope"], one["slope"] - one["slope_low"])
+    bias = "no bias" if one["largest_z"] < 6 else f"a bias (z = {one['largest_z']:.1f})"
+    what = "an edge" if effect["dimensions"] == 2 else "one moment of change"
+    cost = f"half the error costs {one['half_error_costs']:.1f} times the time" if one["half_error_costs"] else "the error does not fall"
+    best = min((c for c in effect["curves"] if c["seconds_to_one_percent"]), key=lambda c: c["seconds_to_one_percent"], default=None)
+    first = f"Jittered samples: slope {one['slope']:.2f} ± {aside:.2f}; theory for {what} {in_words(one['theory'])}; {bias}; {cost}."
+    if best is None:
+        return first
+    random = next(c for c in effect["curves"] if c["sampler"] == "random")
+    gain = random["seconds_to_one_percent"] / best["seconds_to_one_percent"] if random["seconds_to_one_percent"] else 0
+    return first + (f" An error of 1 % is reached first by {best['sampler']} samples, {gain:.0f} times sooner than by random ones."
+                    if gain > 1 else "")
+
+
+def ladder(answers: dict[str, Any]) -> dict:
+    """The effects added one by one, with instructions a sample where they were counted."""
+    result = dict(answers["the ladder of effects"])
+    for i, rung in enumerate(result["rungs"]):
+        few, many = (answers.get(f"instructions of rung {i}, {n} renderings") for n in (100, 600))
+        rung["instructions"] = (many - few) / (500 * result["samples"]) if few and many else None
+        rung["leaves_out"] = [later["adds"] for later in result["rungs"][i + 1:]]
+    return result
+
+
+def rows(report: dict) -> Iterable[dict]:
+    """The curves, one measurement a row: report.csv."""
+    for effect in report["effects"]:
+        for one in effect["curves"]:
+            for row in one["rows"]:
+                yield {"effect": effect["name"], "sampler": one["sampler"], **row}
+
+
+def complaints(report: dict) -> list[str]:
+    """What a reader should look at before believing the rest."""
+    found = []
+    for effect in report["effects"]:
+        for one in effect["curves"]:
+            name = f"{effect['name']}, {one['sampler']}"
+            if one["not_finite"]:
+                found.append(f"{name}: {one['not_finite']} values are not finite")
+            if one["largest_z"] >= 6:
+                found.append(f"{name}: a bias, z = {one['largest_z']:.1f}")
+            if one["verdict"] == "not explained":
+                found.append(f"{name}: the slope is {one['slope']:.3f}, theory says {one['theory']}")
+    return found

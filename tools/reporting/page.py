@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: MIT
+"""The report as a page: one HTML file that needs no other, light or dark, wide or narrow."""
+
+import base64
+import csv
+import html
+import json
+import os
+import pathlib
+import shutil
+import sys
+import time
+
+import process
+from labs import Problem
+from reporting import digest, pieces
+
+STYLE = """
+:root { color-scheme: light dark; --ink: #1c1c1e; --paper: #ffffff; --faint: #6b6b70; --line: #d9d9de; --grid: #e4e4e8; --card: #f6f6f8; --good: #1a7f37; --bad: #c22f2f; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e8e8ea; --paper: #161618; --faint: #a0a0a6; --line: #3a3a3e; --grid: #333338; --card: #202024; --good: #4ac26b; --bad: #ff7b72; }
+}
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 72rem; padding: 1rem 1.25rem 4rem; font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); }
+h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-top: 1px solid var(--line); padding-top: 1.5rem; } h3 { margin-top: 2rem; }
+p, li { max-width: 46rem; } .faint { color: var(--faint); } .sentence { font-size: 1.1rem; }
+nav { display: flex; flex-wrap: wrap; gap: .4rem 1rem; } a { color: inherit; }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); gap: 1rem; }
+.plots svg { width: 100%; height: auto; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(45%, 14rem), 1fr)); gap: .75rem; margin: 1rem 0; }
+figure { margin: 0; } figure img { width: 100%; image-rendering: pixelated; border: 1px solid var(--line); display: block; margin-top: .25rem; } figcaption { font-size: .85rem; color: var(--faint); }
+.table { overflow-x: auto; } table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; } th:first-child, td:first-child, td.text { text-align: left; } td.text { white-space: normal; min-width: 12rem; }
+.bad { color: var(--bad); } .good { color: var(--good); }
+.card { background: var(--card); padding: .75rem 1rem; border-radius: .5rem; }
+"""
+
+
+def interpreter() -> str:
+    """A Python that has matplotlib: this one, or the system's, to which its packages belong."""
+    for candidate in (sys.executable, shutil.which("python3"), "/usr/bin/python3"):
+        if candidate and process.capture([candidate, "-c", "import matplotlib"])[0] == 0:
+            return candidate
+    raise Problem("no Python with matplotlib is here, which draws the plots: install python3-matplotlib and try again")
+
+
+def write(report: dict, folder: pathlib.Path, drawer: str) -> None:
+    """report.json, report.csv and index.html, each whole or not at all."""
+    save(folder / "report.json", json.dumps(report, indent=1))
+    write_csv(report, folder / "report.csv")
+    figures = folder / "figures"
+    code, text = process.capture([drawer, str(pathlib.Path(__file__).parent / "plots.py"), str(folder / "report.json"), str(figures)])
+    if code != 0:
+        raise Problem(f"the plots could not be drawn:\n{text}")
+    save(folder / "index.html", page(report, folder))
+
+
+def save(path: pathlib.Path, text: str) -> None:
+    beside = path.with_name(f"{path.name}.{os.getpid()}.part")
+    beside.write_text(text, encoding="utf-8")
+    beside.replace(path)
+
+
+def write_csv(report: dict, path: pathlib.Path) -> None:
+    rows = list(digest.rows(report))
+    beside = path.with_name(f"{path.name}.{os.getpid()}.part")
+    with open(beside, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, fieldnames=list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    beside.replace(path)
+
+
+# ---- the page ---------------------------------------------------------------------------------------------------------
+
+
+def page(report: dict, folder: pathlib.Path) -> str:
+    sections = [("effects", "Effect by effect", effects), ("ladder", "The ladder of effects", ladder),
+                ("setting", "How it was measured", setting)]
+    links = "".join(f'<a href="#{name}">{title}</a>' for name, title, _ in sections)
+    body = "".join(f'<section id="{name}"><h2>{title}</h2>{make(report, folder)}</section>' for name, title, make in sections)
+    date = time.strftime("%Y-%m-%d")
+    return (f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Lantern: error against run time</title>'
+            f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head><body>'
+            f'<h1>Error against run time</h1><p class="faint">Lantern {escape(report["environment"]["commit"])}, {date}</p>'
+            f'<p>Every pixel of the pictures below is known in closed form, so what is plotted is the error itself, not the '
+            f'difference from another rendering. All random numbers come from seeds; the figures can be had again.</p>'
+            f'{warnings(report)}<nav>{links}</nav>{body}</body></html>')
+
+
+def escape(text: object) -> str:
+    return html.escape(str(text))
+
+
+def warnings(report: dict) -> str:
+    lines = digest.complaints(report)
+    if not lines:
+        return '<p class="card good">No bias, nothing that is not finite, and no slope that theory does not explain.</p>'
+    return '<div class="card bad"><p>Look at this first:</p><ul>' + "".join(f"<li>{escape(line)}</li>" for line in lines) + "</ul></div>"
+
+
+def svg(name: str, folder: pathlib.Path) -> str:
+    return f'<div>{(folder / "figures" / f"{name}.svg").read_text(encoding="utf-8")}</div>'
+
+
+def images(names: list[str], caption: str, folder: pathlib.Path) -> str:
+    """Pictures above each other, with one caption."""
+    text = ""
+    for name in names:
+        data = base64.b64encode((folder / "pictures" / f"{name}.png").read_bytes()).decode()
+        text += f'<img alt="{escape(name.replace("_", " "))}" src="data:image/png;base64,{data}">'
+    return f"<figure>{text}<figcaption>{escape(caption)}</figcaption></figure>"
+
+
+def figure(x: float | None, pattern: str = "{:.3g}") -> str:
+    return "–" if x is None else pattern.format(x).replace("-", "−")
+
+
+def duration(seconds: float | None) -> str:
+    if seconds is None:
+        return "–"
+    for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"
+
+
+def table(head: list[str], rows: list[list[str]]) -> str:
+    """Cells are HTML. A cell that begins with "~" is text, and may be broken into lines."""
+    def cell(text: str) -> str:
+        return f'<td class="text">{text[1:]}</td>' if text.startswith("~") else f"<td>{text}</td>"
+    return ('<div class="table"><table><thead><tr>' + "".join(f"<th>{name}</th>" for name in head) + "</tr></thead><tbody>" +
+            "".join("<tr>" + "".join(map(cell, row)) + "</tr>" for row in rows) + "</tbody></table></div>")
+
+
+def effects(report: dict, folder: pathlib.Path) -> str:
+    settings = report["settings"]
+    fitted = report["effects"][0]["curves"][0]["fitted_from"]
+    text = (f'<p>RMSE is the root mean square error over the pixels of a picture and over {settings["trials"]} renderings with '
+            f'different seeds; the bands hold it with a confidence of 95 % (bootstrap over the seeds). Slopes are fitted from {fitted} samples '
+            f'on. Lines without marks are predictions from closed forms, and marks without lines what was measured beside them. Red in the error '
+            f'pictures is too bright, blue too dark; the colours of all three are stretched as theory says that the error shrinks.</p>')
+    for effect in report["effects"]:
+        slug = effect["name"].replace(" ", "_")
+        pictures = images([f"{slug}_exact"], "exact", folder)
+        for n in pieces.SHOWN:
+            pictures += images([f"{slug}_{n}", f"{slug}_{n}_error"], f"{n} samples, and their error", folder)
+        rows = []
+        for one in effect["curves"]:
+            good = one["verdict"] != "not explained"
+            rows.append([f"{escape(one['sampler'])}",
+                         f"{figure(one['slope'], '{:.3f}')} ({figure(one['slope_low'], '{:.3f}')} to {figure(one['slope_high'], '{:.3f}')})",
+                         f'~<span class="{"good" if good else "bad"}">{escape(one["verdict"])}</span>', figure(one["largest_z"], "{:.1f}"),
+                         duration(one["seconds_per_sample"]), figure(one["half_error_costs"], "{:.1f} ×"),
+                         duration(one["seconds_to_one_percent"])])
+        text += (f'<h3 id="{slug}">{escape(effect["name"].capitalize())}</h3><p class="faint">{escape(effect["tells"])}</p>'
+                 f'<p class="sentence">{escape(effect["sentence"])}</p><div class="pictures">{pictures}</div>'
+                 f'<div class="plots">{svg(slug + "_time", folder)}{svg(slug + "_samples", folder)}</div>'
+                 + table(["samples", "slope, 95 %", "theory", "largest |z|", "a sample", "half the error", "to RMSE 1 %"], rows))
+    return text
+
+
+def ladder(report: dict, folder: pathlib.Path) -> str:
+    rungs = report["ladder"]["rungs"]
+    rows = [[("+ " if i else "") + escape(rung["adds"]), str(rung["dimensions"]), figure(rung["instructions"], "{:.0f}"),
+             duration(rung["seconds_per_sample"]), figure(rung["rmse"], "{:.4f}"), figure(rung["predicted"], "{:.4f}"),
+             "~" + escape(", ".join(rung["leaves_out"]) or "nothing")] for i, rung in enumerate(rungs)]
+    return (f'<p>The same scene, with one effect more on each line; {report["ladder"]["samples"]} jittered samples a pixel. What a line leaves '
+            f'out is left out by its types: it draws no numbers for it and holds no code for it.</p>'
+            f'<div class="plots">{svg("ladder", folder)}</div>'
+            + table(["", "numbers", "instructions", "time", "RMSE", "predicted", "left out"], rows))
+
+
+def setting(report: dict, folder: pathlib.Path) -> str:
+    environment, settings = report["environment"], report["settings"]
+    rows = [[escape(name), "~" + escape(environment[name])] for name in ("processor", "cores", "load", "compiler", "flags", "system", "commit")]
+    rows += [["trials", "~" + str(settings["trials"])], ["first seed", "~" + str(settings["seed"])], ["threads", "~1 for times; errors do not depend on them"]]
+    return ('<p>Errors and times are measured in separate runs. Times are those of the processor, for one thread, the median of five; '
+            'other programs on the same machine still make them longer, the errors never.</p>' + table(["", ""], rows) +
+            '<p class="faint">The same figures: report.csv, report.json.</p>')
