@@ -113,7 +113,8 @@ void write_pictures(const picture& what, const options& wish) {
     const image exact = what.exactly();
     const std::string sampler = wish.sampler.empty() ? "jittered" : wish.sampler;
     lantern::write_png(folder / (name + "_exact.png"), exact);
-    for (const std::uint32_t n : {16u, 256u, 4096u}) {
+    const std::vector<std::uint32_t> numbers = counts(wish.most);  // shown: 16, the last, and the one in between
+    for (const std::uint32_t n : {numbers[1], numbers[(numbers.size()) / 2], numbers.back()}) {
         const image rendered = what.render(sampler, n, wish.first, wish.threads);
         lantern::write_png(folder / (name + "_" + std::to_string(n) + ".png"), rendered);
         // The same colours for all: a quarter of white at 16 samples, and what shrinks as fast as the error should after that.
@@ -166,7 +167,8 @@ void print_json(const std::vector<outcome>& all, const options& wish) {
             std::printf("%s{\"samples\":%u,\"rmse\":%.6e,\"rmse_low\":%.6e,\"rmse_high\":%.6e,\"predicted\":%s,\"bias\":%.6e,"
                         "\"z\":%.4f,\"not_finite\":%llu}",
                         inner, o.measured.samples[i], error.value, error.low, error.high,
-                        number_or_null(o.what->predicted(o.sampler, o.measured.samples[i])).c_str(), off.value, off.z,
+                        number_or_null(o.what->predicted(o.sampler, o.measured.samples[i])).c_str(), off.value,
+                        std::clamp(off.z, -999.0, 999.0),  // JSON knows no infinity
                         static_cast<unsigned long long>(not_finite));
             inner = ",";
         }
@@ -210,7 +212,7 @@ options parse(int argc, char** argv) {
             else if (word == "--height") o.size.y = bench::number<std::uint32_t>(word, next(), 1);
             else if (word == "--trials") o.trials = bench::number<std::uint32_t>(word, next(), 2);
             else if (word == "--first") o.first = bench::number<std::uint64_t>(word, next(), 0);
-            else if (word == "--most") o.most = bench::number<std::uint32_t>(word, next(), 64);
+            else if (word == "--most") o.most = bench::number<std::uint32_t>(word, next(), 256);
             else if (word == "--threads") o.threads = bench::number<unsigned>(word, next(), 1);
             else if (word == "--pictures") o.pictures = next();
             else return false;

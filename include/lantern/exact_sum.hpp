@@ -69,9 +69,9 @@ public:
     }
 
     /// From digits as `settled` gives them.
-    [[nodiscard]] static exact_sum from(std::span<const std::int64_t, digits> digits) {
+    [[nodiscard]] static exact_sum from(std::span<const std::int64_t, digits> those) {
         exact_sum s;
-        for (std::size_t i = 0; i < exact_sum::digits; ++i) s.digit_[i] = digits[i];
+        for (std::size_t i = 0; i < digits; ++i) s.digit_[i] = those[i];
         return s;
     }
 

@@ -11,12 +11,11 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 import machine
 import process
 import project
-from labs import Problem
 from process import ROOT
 from reporting import digest, page, pieces
 
 SUMMARY = "error against run time, as a page: out/report/index.html"
-USAGE = "report [--quick] [--out DIR] [--jobs N]"
+USAGE = "report [--quick] [--out DIR]"
 
 FULL = {"trials": 16, "most": 4096, "renderings": 20000, "seed": 0}
 QUICK = {"trials": 8, "most": 256, "renderings": 2000, "seed": 0}
@@ -27,17 +26,21 @@ def run(arguments: list[str]) -> int:
     parser.add_argument("--quick", action="store_true", help="fewer samples and trials: a look at the page, not at the figures")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out" / "report", help="the folder to write to")
     parser.add_argument("--seed", type=int, default=0, help="the first seed; another one gives other random numbers throughout")
+    parser.add_argument("--trials", type=int, help="renderings with different seeds (default: 16, or 8 with --quick)")
+    parser.add_argument("--most", type=int, help="samples a pixel, at most (default: 4096, or 256 with --quick)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 2, help="programs at a time (default: one a core)")
     wish = parser.parse_args(arguments)
-    if wish.seed < 0 or wish.jobs < 1:
-        raise process.Misuse("--seed must be at least 0, and --jobs at least 1")
+    settings = {**(QUICK if wish.quick else FULL), "seed": wish.seed, "valgrind": bool(shutil.which("valgrind"))}
+    settings.update({name: value for name in ("trials", "most") if (value := getattr(wish, name)) is not None})
+    for name, value, least in (("seed", wish.seed, 0), ("jobs", wish.jobs, 1), ("trials", settings["trials"], 2), ("most", settings["most"], 256)):
+        if value < least:
+            raise process.Misuse(f"--{name} is {value}, but must be at least {least}")
     began = time.monotonic()
 
     machine.ensure("build")
     drawer = page.interpreter()
     folder = project.configure("release", tests=False)
     project.build(folder, "bench_convergence", "bench_ladder")
-    settings = {**(QUICK if wish.quick else FULL), "seed": wish.seed, "valgrind": bool(shutil.which("valgrind"))}
     if not settings["valgrind"]:
         print("valgrind is not here: the report goes without instruction counts")
 

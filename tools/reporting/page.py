@@ -143,7 +143,7 @@ def effects(report: dict, folder: pathlib.Path) -> str:
     for effect in report["effects"]:
         slug = effect["name"].replace(" ", "_")
         pictures = images([f"{slug}_exact"], "exact", folder)
-        for n in pieces.SHOWN:
+        for n in pieces.shown(settings["most"]):
             pictures += images([f"{slug}_{n}", f"{slug}_{n}_error"], f"{n} samples, and their error", folder)
         rows = []
         for one in effect["curves"]:

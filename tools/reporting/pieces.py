@@ -16,7 +16,12 @@ from process import ROOT
 
 EFFECTS = ["antialiasing", "soft shadow", "gloss", "depth of field", "motion blur"]
 SAMPLERS = ["random", "N-rooks", "jittered", "multi-jittered", "correlated multi-jittered", "Halton", "Sobol"]
-SHOWN = [16, 256, 4096]  # samples of the pictures that are shown; as in bench/convergence.cpp
+
+
+def shown(most: int) -> list[int]:
+    """Samples of the pictures that are shown: 16, the last, and the one in between; as in bench/convergence.cpp."""
+    numbers = [4 ** k for k in range(1, 17) if 4 ** k <= most]
+    return [numbers[1], numbers[len(numbers) // 2], numbers[-1]]
 
 
 @dataclass
@@ -41,10 +46,10 @@ def plan(settings: dict, programs: pathlib.Path, pictures: pathlib.Path) -> list
                                 [str(programs / "convergence"), "--json", "--effect", effect, "--sampler", sampler, *common], effort))
         slug = effect.replace(" ", "_")
         files = [pictures / f"{slug}_exact.png"]
-        files += [pictures / f"{slug}_{n}{kind}.png" for n in SHOWN for kind in ("", "_error")]
+        files += [pictures / f"{slug}_{n}{kind}.png" for n in shown(settings["most"]) for kind in ("", "_error")]
         pieces.append(Piece("effects", f"{effect}, pictures",
                             [str(programs / "convergence"), "--effect", effect, "--pictures", str(pictures), "--width", "96",
-                             "--height", "64"], 8, lambda text: {}, files))
+                             "--height", "64", "--most", str(settings["most"])], settings["most"] / 512, lambda text: {}, files))
     rungs = settings["renderings"]
     pieces.append(Piece("ladder", "the ladder of effects", [str(programs / "ladder"), "--json", "--renderings", str(rungs)], 5))
     if settings["valgrind"]:

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""./lab report, small: is the page whole, does it go on where it was stopped, and does a browser show all of it?
+
+Skipped (77) where no Python with matplotlib is; the browser's part where no Chromium is."""
+
+import csv
+import html.parser
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+from labs import Problem  # noqa: E402
+from reporting import page, pieces  # noqa: E402
+
+VOID = {"meta", "img", "br", "link", "use", "path", "image"}
+
+# Runs in the page: what a person would see missing. Its answer is the title, which --dump-dom prints.
+LOOK = """<script>
+window.onerror = (message) => { document.title = 'ERROR ' + message; };
+window.onload = () => {
+  const problems = [];
+  for (const image of document.images) if (!image.complete || image.naturalWidth === 0) problems.push('picture ' + image.alt);
+  for (const plot of document.querySelectorAll('.plots svg')) {
+    const box = plot.getBoundingClientRect();
+    if (box.width < 100 || box.height < 80) problems.push('plot ' + plot.getAttribute('aria-label'));
+    if (box.right > document.documentElement.clientWidth + 1) problems.push('too wide: ' + plot.getAttribute('aria-label'));
+  }
+  if (document.documentElement.scrollWidth > document.documentElement.clientWidth + 1) problems.push('the page is wider than the window');
+  document.title = 'SEEN ' + document.images.length + ' ' + document.querySelectorAll('.plots svg').length + ' ' + problems.join('; ');
+};
+</script>"""
+
+
+class Tags(html.parser.HTMLParser):
+    """Complains about tags that do not close, or close what is not open."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.problems, self.ids = [], [], []
+
+    def handle_starttag(self, tag, attributes):
+        self.ids += [value for name, value in attributes if name == "id"]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.ids += [value for name, value in attributes if name == "id"]
+
+    def handle_endtag(self, tag):
+        if tag in VOID:
+            return
+        if not self.open or self.open.pop() != tag:
+            self.problems.append(f"</{tag}> at {self.getpos()}")
+
+
+def fail(text: str) -> None:
+    sys.exit(f"page_test: {text}")
+
+
+def report(folder: pathlib.Path, *more: str) -> str:
+    command = [sys.executable, str(ROOT / "tools" / "lab.py"), "report", "--trials", "4", "--most", "256", "--out", str(folder), *more]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    if done.returncode != 0:
+        fail(f"exit code {done.returncode}\n{done.stdout}")
+    return done.stdout
+
+
+def browse(browser: str, folder: pathlib.Path, width: int) -> None:
+    text = (folder / "index.html").read_text(encoding="utf-8").replace("</body>", LOOK + "</body>")
+    (folder / "looked_at.html").write_text(text, encoding="utf-8")
+    with tempfile.TemporaryDirectory() as profile:
+        done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+                               "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                               f"--user-data-dir={profile}", f"--window-size={width},900", "--virtual-time-budget=5000", "--dump-dom",
+                               (folder / "looked_at.html").as_uri()], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
+    title = re.search(r"<title>(.*?)</title>", done.stdout)
+    images, plots = 7 * len(pieces.EFFECTS), 2 * len(pieces.EFFECTS) + 1
+    seen = title.group(1) if title else "nothing"
+    if not seen.startswith(f"SEEN {images} ") or int(seen.split()[2]) < plots or seen.split()[3:]:
+        fail(f"at a width of {width}, of {images} pictures and at least {plots} plots the browser says: {seen}")
+
+
+def main() -> int:
+    try:
+        page.interpreter()
+    except Problem as problem:
+        print(problem)
+        return 77
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        report(folder)
+        text = (folder / "index.html").read_text(encoding="utf-8")
+        tags = Tags()
+        tags.feed(text)
+        if tags.problems or tags.open:
+            fail(f"tags do not match: {tags.problems[:5]} {tags.open[:5]}")
+        if len(set(tags.ids)) != len(tags.ids):
+            fail(f"ids stand twice: {sorted({i for i in tags.ids if tags.ids.count(i) > 1})[:5]}")
+        for address in re.findall(r'(?:src|href)="([^"]*)"', text):
+            if not address.startswith(("#", "data:image/png;base64,")):
+                fail(f"the page needs another file: {address[:80]}")
+        data = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+        if [effect["name"] for effect in data["effects"]] != pieces.EFFECTS:
+            fail("report.json lacks an effect")
+        with open(folder / "report.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        if len(rows) != len(pieces.EFFECTS) * len(pieces.SAMPLERS) * 4:  # 4, 16, 64, 256 samples
+            fail(f"report.csv has {len(rows)} rows")
+
+        # Stopped: what is missing is measured, and nothing else is.
+        kept = {file: file.stat().st_mtime_ns for file in (folder / "measured").glob("*.json")}
+        lost = sorted(kept)[0]
+        lost.unlink()
+        if f"{len(kept) - 1} of {len(kept)} measurements are there already" not in report(folder):
+            fail("a report that was stopped does not go on")
+        if not lost.is_file() or any(file.stat().st_mtime_ns != when for file, when in kept.items() if file != lost):
+            fail("a report that was stopped measures anew what it has")
+
+        browser = next((path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None)
+        if browser is None:
+            print("no Chromium here: the page was not looked at")
+            return 0
+        for width in (1200, 400):
+            browse(browser, folder, width)
+        print("the page is whole, and a browser shows all of it")
+    return 0
+
+
+sys.exit(main())
