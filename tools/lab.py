@@ -14,7 +14,7 @@ from labs import Problem  # noqa: E402
 # In the order of the usage. Each is a module in tools/commands/ with SUMMARY, USAGE and run(arguments) -> exit code.
 COMMANDS = {
     "Start here": ["demo", "test"],
-    "The labs": ["list", "run", "check"],
+    "The labs": ["status", "start", "watch", "check", "run", "hint", "compare", "solution", "reset", "list"],
     "The machine": ["doctor", "setup"],
     "For those who change Lantern": ["starters", "mutants", "bench", "report"],
 }
@@ -39,10 +39,10 @@ def usage() -> str:
 
 
 def main(words: list[str]) -> int:
-    if not words or words[0] in ("help", "-h", "--help"):
+    if words and words[0] in ("help", "-h", "--help"):
         print(usage())
-        return 0 if words else 2
-    name, *arguments = words
+        return 0
+    name, *arguments = words or ["status"]
     if not any(name in names for names in COMMANDS.values()) or not exists(name):
         print(f"lab: unknown command '{name}'\n\n{usage()}", file=sys.stderr)
         return 2

@@ -7,6 +7,7 @@ import textwrap
 
 import labs
 import process
+import progress
 import student
 import verdict
 
@@ -35,6 +36,8 @@ def run(arguments: list[str]) -> int:
         return 1
 
     steps = verdict.judge(program, lab, wish.seconds)
+    if not wish.solution:
+        progress.remember(lab, [step.passed for step in steps])
     passed = all(step.passed for step in steps)
     if wish.json:
         print(json.dumps({"lab": lab.number, "steps": [as_json(step) for step in steps]}))

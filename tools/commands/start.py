@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Begin a lab, or go on with it."""
+
+import labs
+import process
+import progress
+import student
+from labs import ROOT
+
+SUMMARY = "begin a lab, or go on with it"
+USAGE = "start NN"
+
+
+def run(arguments: list[str]) -> int:
+    parser = process.arguments(USAGE, SUMMARY)
+    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
+    lab = student.lab_named(parser.parse_args(arguments).lab)
+    known = progress.load()
+    known["current"] = lab.number
+    progress.save(known)
+
+    file = lab.student_file
+    shown = file.relative_to(ROOT)
+    if not file.exists() and lab.solution_file.exists():
+        file.write_text(labs.starter_of(lab.solution_file.read_text(encoding="utf-8")), encoding="utf-8")
+        print(f"{shown} was not there: here is the empty one again.")
+    print(f"Lab {lab.number}: {lab.title}\n\n  read   labs/{lab.folder}/README.md\n  write  {shown}\n")
+    for i, (name, passed) in enumerate(zip(lab.steps, progress.passed(lab, known)), 1):
+        print(f"  {'✓' if passed else '·'} step {i}  {name}")
+    print(f"\n./lab watch {lab.number}   tells you after every save how far you are\n./lab run {lab.number}     draws the picture, as far as it goes")
+    return 0
