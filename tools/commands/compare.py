@@ -19,13 +19,14 @@ USAGE = "compare NN"
 PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Lab {number}: yours and ours</title>
 <meta name="viewport" content="width=device-width, initial-scale=1"><style>
 :root {{ color-scheme: light dark; --line: #8886; }}
-body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 64rem; margin: 0 auto; padding: 1rem; }}
-.pair {{ position: relative; display: inline-block; max-width: 100%; border: 1px solid var(--line); }}
-.pair img {{ display: block; max-width: 100%; image-rendering: pixelated; }}
+body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 80rem; margin: 0 auto; padding: 1rem; }}
+p {{ max-width: 46rem; }}
+.pair {{ position: relative; }}
+img {{ display: block; width: 100%; image-rendering: pixelated; border: 1px solid var(--line); }}
 .pair .over {{ position: absolute; inset: 0; clip-path: inset(0 0 0 var(--at, 50%)); }}
 .pair .line {{ position: absolute; top: 0; bottom: 0; left: var(--at, 50%); border-left: 2px solid #f80; }}
-input[type=range] {{ width: 100%; max-width: 40rem; }}
-.row {{ display: flex; flex-wrap: wrap; gap: 1rem; align-items: start; }} .row > div {{ flex: 1 1 20rem; }}
+input[type=range] {{ width: 100%; margin: .5rem 0; }}
+.row {{ display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 1rem; align-items: start; }}
 .right {{ color: #1a7f37; }} .wrong {{ color: #d33; }}
 </style></head><body><h1>Lab {number}: {title}</h1>
 <p>Left of the line yours, right of it ours. In the difference red is where yours is brighter, blue where it is darker, four times as strong as it is;
@@ -98,7 +99,8 @@ def section(name: str, yours: pathlib.Path | None, ours: pathlib.Path) -> tuple[
         verdict = '<p class="right">The same in every pixel.</p>'
     else:
         part = 100 * count / (mine.width * mine.height)
-        verdict = f'<p class="wrong">{part:.2g} % of the pixels differ, by {most} of 255 at the most.</p>'
+        shown = f"{part:.0f}" if part >= 1 else f"{part:.2g}"
+        verdict = f'<p class="wrong">{shown} % of the pixels differ, by {most} of 255 at the most.</p>'
     pair = (f'<div class="pair">{image(mine)}<div class="over">{image(reference)}</div><div class="line"></div></div>'
             f'<input type="range" min="0" max="100" value="50" aria-label="where yours ends and ours begins">')
     return f'<h2>{title}</h2>{verdict}<div class="row"><div>{pair}</div><div>{image(difference)}</div></div>', count == 0
