@@ -257,7 +257,7 @@ inline lantern::image smallest(unsigned side) {
             points.push_back(p.x * right + p.y * up);
         }
         const lab09::sphere quick = lab09::sphere_around(points), best = lab09::smallest_sphere(points);
-        cells.push_back(drawing({178, 190}, side, 3.7f, [&](glm::vec2 p) {
+        cells.push_back(drawing({178, 190}, side, 3.9f, [&](glm::vec2 p) {
             for (const glm::vec3& q : points)
                 if (glm::distance(p, seen_at(q)) < 0.035f) return ink;
             const auto in = [&](const lab09::sphere& s) { return glm::distance(p, seen_at(s.center)) <= s.radius; };

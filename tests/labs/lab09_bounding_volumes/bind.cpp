@@ -39,8 +39,11 @@ const contract::table lab{
     contract::bind<box_of_sphere>([](contract::lab09::round s) { return shown(box_around(own(s))); }),
     contract::bind<box_of_boxes>([](upright a, upright b) { return shown(enclose(own(a), own(b))); }),
     contract::bind<area>([](volume v) { return std::visit([](const auto& one) -> double { return surface_area(own(one)); }, v); }),
-    contract::bind<meets>([](volume v, ray r, interval range) {
-        return std::visit([&](const auto& one) -> bool { return overlaps(own(one), r, range); }, v);
+    contract::bind<meets>([](std::span<const question> all) {
+        std::vector<bool> answers;
+        for (const question& q : all)
+            answers.push_back(std::visit([&](const auto& one) -> bool { return overlaps(own(one), q.along, q.range); }, q.asked));
+        return answers;
     }),
     contract::bind<sphere_of_points>([](points p) { return shown(sphere_around(p)); }),
     contract::bind<oriented_box_of_points>([](points p) { return shown(oriented_box_around(p)); }),

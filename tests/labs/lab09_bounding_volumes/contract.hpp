@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace contract::lab09 {
 
@@ -38,11 +39,19 @@ using points = std::span<const glm::vec3>;
 using lantern::interval;
 using lantern::ray;
 
+/// Does the ray meet the volume within the range?
+struct question {
+    volume asked;
+    ray along;
+    interval range;
+};
+
 inline constexpr function<"box_around", upright(points)> box_of_points;
 inline constexpr function<"box_around_sphere", upright(round)> box_of_sphere;
 inline constexpr function<"enclose", upright(upright, upright)> box_of_boxes;
 inline constexpr function<"surface_area", double(volume)> area;
-inline constexpr function<"overlaps", bool(volume, ray, interval)> meets;
+/// Many at once: in grading each call is a message.
+inline constexpr function<"overlaps", std::vector<bool>(std::span<const question>)> meets;
 inline constexpr function<"sphere_around", round(points)> sphere_of_points;
 inline constexpr function<"oriented_box_around", tilted(points)> oriented_box_of_points;
 inline constexpr function<"transformed_box", upright(glm::mat3 m, glm::vec3 shift, upright)> transformed_box;

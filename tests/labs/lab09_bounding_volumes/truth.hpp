@@ -177,27 +177,27 @@ inline aim aim_at_box(dice& random) {
 
 /// A volume, a ray, and whether `overlaps` must say yes, and whether it may: when the ray meets the volume, and when it meets one that is
 /// larger by one on all sides.
-struct question {
+struct whole_question {
     volume asked;
     whole_ray ray;
     bool must, may;
 };
 
-inline question box_question(const aim& a, const whole_ray& w) {
+inline whole_question box_question(const aim& a, const whole_ray& w) {
     return {upright{real(a.lower), real(a.upper)}, w, truly_meets(a.lower, a.upper, w), truly_meets(a.lower - std::int64_t(1), a.upper + std::int64_t(1), w)};
 }
 
-inline question any_box(dice& random) {
+inline whole_question any_box(dice& random) {
     const aim a = aim_at_box(random);
     return box_question(a, towards(random, a.target));
 }
 
 /// A box whose axes are the world's in another order, and some of them reversed: everything is exact, as it is for boxes.
-inline question any_tilted(dice& random) {
+inline whole_question any_tilted(dice& random) {
     aim a = aim_at_box(random);
     for (int k = 0; k < 3; ++k)
         if ((a.upper[k] - a.lower[k]) % 2 != 0) ++a.upper[k];  // so that its middle is a whole number
-    question q = box_question(a, towards(random, a.target));
+    whole_question q = box_question(a, towards(random, a.target));
     tilted b{0.5f * real(a.lower + a.upper), {}, {}};
     std::array<int, 3> order{0, 1, 2};
     std::rotate(order.begin(), order.begin() + random.whole_between(0, 2), order.end());
@@ -212,7 +212,7 @@ inline question any_tilted(dice& random) {
 }
 
 /// A ray that touches the sphere exactly, passes it by, or goes through it. The normals are whole and have whole lengths.
-inline question any_sphere(dice& random) {
+inline whole_question any_sphere(dice& random) {
     static const std::array<std::pair<whole, std::int64_t>, 8> normals{{{{1, 2, 2}, 3}, {{3, 4, 0}, 5}, {{2, 3, 6}, 7}, {{1, 4, 8}, 9},
                                                                         {{4, 4, 7}, 9}, {{2, 6, 9}, 11}, {{6, 6, 7}, 11}, {{0, 0, 1}, 1}}};
     auto [n, length] = normals[std::size_t(random.whole_between(0, 7))];
@@ -244,7 +244,7 @@ inline std::string text(glm::vec3 v) {
     const auto of = [](float x) { return std::to_string(x).substr(0, std::to_string(x).find('.') + 2); };
     return "(" + of(v.x) + ", " + of(v.y) + ", " + of(v.z) + ")";
 }
-inline std::string text(const question& q) {
+inline std::string text(const whole_question& q) {
     std::string shown;
     if (const auto* b = std::get_if<upright>(&q.asked)) shown = "box from " + text(b->min) + " to " + text(b->max);
     if (const auto* s = std::get_if<contract::lab09::round>(&q.asked)) shown = "sphere around " + text(s->center) + " of radius " + std::to_string(int(s->radius));
@@ -262,14 +262,19 @@ struct mistakes {
 template <class Make>
 mistakes mistakes_in(std::uint64_t seed, int count, const Make& make, float scene = 1, float length = 1) {
     dice random(seed);
-    mistakes m;
+    std::vector<whole_question> known;
+    std::vector<question> asked;
     for (int i = 0; i < count; ++i) {
-        const question q = make(random);
-        const auto [r, range] = cast_of(q.ray, random, scene, length);
-        const bool said = meets(scaled(q.asked, scene), r, range);
-        m.lost += q.must && !said;
-        m.kept += !q.may && said;
-        if (m.lost + m.kept == 1 && m.shown.empty()) m.shown = text(q) + (said ? ": kept" : ": lost");
+        known.push_back(make(random));
+        const auto [r, range] = cast_of(known.back().ray, random, scene, length);
+        asked.push_back({scaled(known.back().asked, scene), r, range});
+    }
+    const std::vector<bool> said = meets(asked);
+    mistakes m;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        m.lost += known[i].must && !said.at(i);
+        m.kept += !known[i].may && said.at(i);
+        if (m.lost + m.kept == 1 && m.shown.empty()) m.shown = text(known[i]) + (said.at(i) ? ": kept" : ": lost");
     }
     return m;
 }
