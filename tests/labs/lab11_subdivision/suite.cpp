@@ -118,8 +118,10 @@ std::string flaw(const std::vector<visit>& seen, std::uint32_t cells, Cell cell,
     const double t_size = std::max(std::abs(expected->enter), std::abs(expected->leave)), slack = 2e-6 * t_size;
     if (seen.empty()) return expected->leave - expected->enter > slack ? "no cell was visited" : "";
     const auto apart = [&](double a, double b) { return !(std::abs(a - b) <= slack); };
-    if (apart(seen.front().part.enter, expected->enter)) return "the first cell is entered at t = " + std::to_string(seen.front().part.enter) + " instead of " + std::to_string(expected->enter);
-    if (apart(seen.back().part.leave, expected->leave)) return "the last cell is left at t = " + std::to_string(seen.back().part.leave) + " instead of " + std::to_string(expected->leave);
+    if (apart(seen.front().part.enter, expected->enter))
+        return "the first cell is entered at t = " + std::to_string(seen.front().part.enter) + " instead of " + std::to_string(expected->enter);
+    if (apart(seen.back().part.leave, expected->leave))
+        return "the last cell is left at t = " + std::to_string(seen.back().part.leave) + " instead of " + std::to_string(expected->leave);
     std::vector<std::uint32_t> numbers;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const auto& [number, part] = seen[i];
@@ -132,7 +134,8 @@ std::string flaw(const std::vector<visit>& seen, std::uint32_t cells, Cell cell,
         numbers.push_back(number);
     }
     std::ranges::sort(numbers);
-    if (std::ranges::adjacent_find(numbers) != numbers.end()) return "cell " + std::to_string(*std::ranges::adjacent_find(numbers)) + " was visited twice";
+    if (std::ranges::adjacent_find(numbers) != numbers.end())
+        return "cell " + std::to_string(*std::ranges::adjacent_find(numbers)) + " was visited twice";
     return "";
 }
 
@@ -249,7 +252,8 @@ double cells_of_all(glm::ivec3 count) { return double(count.x) * double(count.y)
 }  // namespace
 
 TEST_CASE("there are nearly as many cells as asked for, and not more", "[step1]") {
-    INFO(hint("the grid eats all memory, or is one large cell", "choose the side s of a cell so that the box holds `wanted` cubes of it; then divide, and round down", "§1 The side of a cell"));
+    INFO(hint("the grid eats all memory, or is one large cell",
+              "choose the side s of a cell so that the box holds `wanted` cubes of it; then divide, and round down", "§1 The side of a cell"));
     numbers random(1);
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 low = 10.0f * random.vector(), extent{random.between(1, 9), random.between(1, 9), random.between(1, 9)};
@@ -265,7 +269,8 @@ TEST_CASE("there are nearly as many cells as asked for, and not more", "[step1]"
 }
 
 TEST_CASE("cells are as nearly cubes as whole numbers allow", "[step1]") {
-    INFO(hint("rays along the short side of the scene pass through far too many cells", "the same side s for all three axes, not the same number of cells", "§1 The side of a cell"));
+    INFO(hint("rays along the short side of the scene pass through far too many cells",
+              "the same side s for all three axes, not the same number of cells", "§1 The side of a cell"));
     numbers random(2);
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 extent{random.between(1, 4), random.between(1, 4), random.between(1, 4)};
@@ -279,7 +284,8 @@ TEST_CASE("cells are as nearly cubes as whole numbers allow", "[step1]") {
 }
 
 TEST_CASE("where the scene is thinner than a cell, the other axes share the cells", "[step1]") {
-    INFO(hint("a terrain gets a handful of cells, or billions", "an axis with extent <= s gets one cell, and s is computed again from the other axes alone", "§1 Thin scenes"));
+    INFO(hint("a terrain gets a handful of cells, or billions",
+              "an axis with extent <= s gets one cell, and s is computed again from the other axes alone", "§1 Thin scenes"));
     const auto check = [](glm::vec3 extent, glm::bvec3 thick) {
         const glm::ivec3 count = resolution({glm::vec3(-1), extent - 1.0f}, 1000, 8);
         CAPTURE(extent, count);
@@ -298,14 +304,16 @@ TEST_CASE("where the scene is thinner than a cell, the other axes share the cell
 }
 
 TEST_CASE("a point, or nothing at all, is one cell", "[step1]") {
-    INFO(hint("a crash, or endless building, with a scene of one point or none", "the volume is 0, and nothing may be divided by it", "§1 Thin scenes"));
+    INFO(hint("a crash, or endless building, with a scene of one point or none",
+              "the volume is 0, and nothing may be divided by it", "§1 Thin scenes"));
     CHECK(resolution({{1, 2, 3}, {1, 2, 3}}, 1000, 8) == glm::ivec3(1));
     CHECK(resolution({{0, 0, 0}, {1, 1, 1}}, 0, 8) == glm::ivec3(1));
     CHECK(resolution({}, 0, 8) == glm::ivec3(1));
 }
 
 TEST_CASE("scenes may be as small as an atom or as large as the sky", "[step1]") {
-    INFO(hint("large scenes get one cell, small ones too many", "the product of three extents is no float: compute in double", "§1 The side of a cell"));
+    INFO(hint("large scenes get one cell, small ones too many",
+              "the product of three extents is no float: compute in double", "§1 The side of a cell"));
     for (const float scale : {1e-15f, 1.0f, 1e15f}) {
         CAPTURE(scale);
         CHECK(resolution({glm::vec3(0), scale * glm::vec3(2.05f, 1.05f, 3.05f)}, 750, 8) == glm::ivec3(19, 10, 29));
@@ -315,7 +323,8 @@ TEST_CASE("scenes may be as small as an atom or as large as the sky", "[step1]")
 // ---- Step 2: the cells of a box ------------------------------------------------------------------------------------
 
 TEST_CASE("a box is in every cell that it overlaps, and in no other", "[step2]") {
-    INFO(hint("pieces of surfaces are missing, cut off along straight lines", "from the cell of the box's lower corner to the cell of its upper corner", "§2 From corner to corner"));
+    INFO(hint("pieces of surfaces are missing, cut off along straight lines",
+              "from the cell of the box's lower corner to the cell of its upper corner", "§2 From corner to corner"));
     numbers random(3);
     const lattice g{{{-3, 1, 20}, {4, 2.5f, 26}}, {9, 4, 7}};
     for (int i = 0; i < 400; ++i) {
@@ -338,7 +347,8 @@ TEST_CASE("a box is in every cell that it overlaps, and in no other", "[step2]")
 }
 
 TEST_CASE("what touches a cell is in it", "[step2]") {
-    INFO(hint("a wall that lies between two cells is seen from one side only", "touching counts: first = ceil(x) - 1, last = floor(x), where x counts in cells", "§2 Touching"));
+    INFO(hint("a wall that lies between two cells is seen from one side only",
+              "touching counts: first = ceil(x) - 1, last = floor(x), where x counts in cells", "§2 Touching"));
     const lattice g{{{0, 0, 0}, {8, 4, 2}}, {8, 4, 2}};
     const auto check = [&](const aabb& box, glm::ivec3 first, glm::ivec3 last) {
         const cell_range cells = cells_of(g, box);
@@ -370,7 +380,8 @@ TEST_CASE("what lies at the end of the grid is in its last cell", "[step2]") {
 }
 
 TEST_CASE("a face is where it is, however many there are", "[step2]") {
-    INFO(hint("a single surface is missing, in large grids only", "1 / side is rounded; in double, (x - min) * count / extent gives a whole number where x is at a face", "§2 Multiply, then divide"));
+    INFO(hint("a single surface is missing, in large grids only",
+              "1 / side is rounded; in double, (x - min) * count / extent gives a whole number where x is at a face", "§2 Multiply, then divide"));
     numbers random(4);
     for (int i = 0; i < 2000; ++i) {
         // A lattice from 0 to a * b in a * c cells: face number j * c is at j * b, for whole numbers all.
@@ -415,7 +426,8 @@ std::vector<std::vector<std::uint32_t>> sorted_into(const lattice& g, const std:
 }  // namespace
 
 TEST_CASE("a walk passes the cells that the ray passes, each once, in order", "[step3]") {
-    INFO(hint("holes in the picture, or the wrong surface in front", "leave the cell through the face whose t is the smallest of the three, and step along that axis", "§3 The next face"));
+    INFO(hint("holes in the picture, or the wrong surface in front",
+              "leave the cell through the face whose t is the smallest of the three, and step along that axis", "§3 The next face"));
     numbers random(5);
     const lattice g{{{-3, 1, 20}, {4, 2.5f, 26}}, {9, 4, 7}};
     check_walks(g, towards(random, g.box, 300), {});
@@ -423,7 +435,8 @@ TEST_CASE("a walk passes the cells that the ray passes, each once, in order", "[
 }
 
 TEST_CASE("a walk goes backwards as well as forwards", "[step3]") {
-    INFO(hint("half of the picture is missing, as if looked at through a corner", "a ray with d < 0 leaves through the lower face, and its next cell is the one below", "§3 Backwards"));
+    INFO(hint("half of the picture is missing, as if looked at through a corner",
+              "a ray with d < 0 leaves through the lower face, and its next cell is the one below", "§3 Backwards"));
     const lattice g{{{0, 0, 0}, {4, 4, 4}}, {4, 4, 4}};
     std::vector<ray> rays;
     for (const float x : {-1.0f, 1.0f})
@@ -445,14 +458,16 @@ TEST_CASE("along planes, through edges and corners the walk stays with the ray",
 }
 
 TEST_CASE("the walk keeps within the range", "[step3]") {
-    INFO(hint("surfaces behind the eye are tested, and shadow rays go on behind the lamp", "begin where the ray is at the later of range.min and the box, and end at range.max", "§3 Where it begins"));
+    INFO(hint("surfaces behind the eye are tested, and shadow rays go on behind the lamp",
+              "begin where the ray is at the later of range.min and the box, and end at range.max", "§3 Where it begins"));
     numbers random(6);
     const lattice g{{{-3, 1, 20}, {4, 2.5f, 26}}, {9, 4, 7}};
     for (const interval range : {interval{0, 0.5f}, {0.25f, 0.6f}, {0.4f, infinite}, {0, 1e-3f}}) check_walks(g, towards(random, g.box, 60), range);
 }
 
 TEST_CASE("four thousand cells on, the walk is still where the ray is", "[step3]") {
-    INFO(hint("far away the surfaces come apart", "adding the t of a cell up, thousands of times, adds up its rounding; compute each from the number of the face", "§3 Never add up"));
+    INFO(hint("far away the surfaces come apart",
+              "adding the t of a cell up, thousands of times, adds up its rounding; compute each from the number of the face", "§3 Never add up"));
     const lattice g{{{0, 0, 0}, {5000, 11, 11}}, {5000, 11, 11}};
     const std::vector<ray> rays{{{-1, 0.3f, 0.7f}, {1, 0.00211f, 0.00199f}}, {{5003, 0.3f, 10.7f}, {-3.1f, 0.0063f, -0.006f}}, {{0.1f, 10.9f, 0.2f}, {0.7f, -0.0015f, 0.0014f}}};
     recorder seen(rays.size(), 20000);
@@ -480,8 +495,10 @@ TEST_CASE("the walk ends in the cell where the hit is, and not before", "[step3]
         if (seen[k].empty()) return stretch_in(wide(g.box), rays[k], {}) ? "nothing was visited" : "";
         const stretch last = seen[k].back().part;
         const double slack = 2e-6 * (std::abs(last.leave) + 1);
-        if (!(last.leave >= double(hits[k]) - slack)) return "the walk ends at t = " + std::to_string(last.leave) + ", before the hit at " + std::to_string(hits[k]);
-        if (!(last.enter <= double(hits[k]) + slack)) return "a cell was entered at t = " + std::to_string(last.enter) + ", behind the hit at " + std::to_string(hits[k]);
+        if (!(last.leave >= double(hits[k]) - slack))
+            return "the walk ends at t = " + std::to_string(last.leave) + ", before the hit at " + std::to_string(hits[k]);
+        if (!(last.enter <= double(hits[k]) + slack))
+            return "a cell was entered at t = " + std::to_string(last.enter) + ", behind the hit at " + std::to_string(hits[k]);
         return "";
     });
 }
@@ -500,7 +517,8 @@ TEST_CASE("when nothing remains, no further cell is visited", "[step3]") {
 }
 
 TEST_CASE("through the grid, the closest hit is the closest of all", "[step3]") {
-    INFO(hint("the picture differs from that of brute force", "no cell too few, none in the wrong order, and not the end before the hit lies in the cell", "§3 A hit elsewhere"));
+    INFO(hint("the picture differs from that of brute force",
+              "no cell too few, none in the wrong order, and not the end before the hit lies in the cell", "§3 A hit elsewhere"));
     numbers random(9);
     const aabb box{{-1, -1, -1}, {5, 4, 3}};
     const lattice g{box, {6, 5, 4}};
@@ -554,7 +572,8 @@ TEST_CASE("every surface is offered, in the order of the cells", "[step4]") {
 }
 
 TEST_CASE("a surface in many cells is offered once", "[step4]") {
-    INFO(hint("right, but slow: large surfaces are intersected in each cell", "look the number up in `recent.last` before you offer it, and write it there when you do", "§4 The mailbox"));
+    INFO(hint("right, but slow: large surfaces are intersected in each cell",
+              "look the number up in `recent.last` before you offer it, and write it there when you do", "§4 The mailbox"));
     CHECK(offered({{5}, {5}, {5, 6}, {6, 5}, {5}}, {}, same).first == numbers_of{5, 6});
     CHECK(offered({{1, 2, 3}, {3, 2, 1, 4}, {4, 1, 8}, {0, 8, 2}}, {}, same).first == numbers_of{1, 2, 3, 4, 8, 0});
     // Nobody is among the last eight twice, whatever the lists.
@@ -580,7 +599,8 @@ TEST_CASE("eight numbers fit into the mailbox", "[step4]") {
 }
 
 TEST_CASE("each ray has a mailbox of its own", "[step4]") {
-    INFO(hint("the first pixel is right and all others are empty", "nothing that was offered to one ray has been offered to the next: no static, no global", "§4 The mailbox"));
+    INFO(hint("the first pixel is right and all others are empty",
+              "nothing that was offered to one ray has been offered to the next: no static, no global", "§4 The mailbox"));
     for (int r = 0; r < 3; ++r) CHECK(offered({{1, 2}, {2, 3}}, {}, same).first == numbers_of{1, 2, 3});
 }
 
@@ -714,7 +734,8 @@ std::vector<std::pair<std::string, std::vector<aabb>>> octree_scenes() {
 }  // namespace
 
 TEST_CASE("eight octants have numbers: x + 2 y + 4 z", "[step5]") {
-    INFO(hint("pieces of the scene change places, or are missing", "bit 0 of the number says which half along x, bit 1 along y, bit 2 along z", "§5 Eight octants"));
+    INFO(hint("pieces of the scene change places, or are missing",
+              "bit 0 of the number says which half along x, bit 1 along y, bit 2 along z", "§5 Eight octants"));
     const aabb cell{{0, 10, 100}, {2, 14, 108}};
     CHECK(octant_of(cell, 0).min == glm::vec3(0, 10, 100));
     CHECK(octant_of(cell, 0).max == glm::vec3(1, 12, 104));
@@ -729,7 +750,8 @@ TEST_CASE("eight octants have numbers: x + 2 y + 4 z", "[step5]") {
 }
 
 TEST_CASE("a leaf holds the surfaces whose boxes touch its cell, and no others", "[step5]") {
-    INFO(hint("pieces of surfaces are missing, cut off along straight lines", "hand a surface to every octant that its box touches, not to that of its centre", "§5 Dividing"));
+    INFO(hint("pieces of surfaces are missing, cut off along straight lines",
+              "hand a surface to every octant that its box touches, not to that of its centre", "§5 Dividing"));
     for (const auto& [name, boxes] : octree_scenes()) {
         octree tree;
         const inspection i = inspect(boxes, 4, 5, tree);
@@ -742,7 +764,8 @@ TEST_CASE("a leaf holds the surfaces whose boxes touch its cell, and no others",
 }
 
 TEST_CASE("a cell is divided when it holds too many and is not too deep, and when that helps", "[step5]") {
-    INFO(hint("the tree is too deep, too shallow, or eats all memory", "three reasons to stop: n <= leaf_size; max_depth levels below the root; eight octants with 4 n surfaces or more", "§5 When to stop"));
+    INFO(hint("the tree is too deep, too shallow, or eats all memory",
+              "three reasons to stop: n <= leaf_size; max_depth levels below the root; eight octants with 4 n surfaces or more", "§5 When to stop"));
     for (const auto& [name, boxes] : octree_scenes())
         for (const auto& [leaf_size, max_depth] : {std::pair{1u, 4u}, {8u, 6u}, {3u, 0u}, {20u, 3u}, {1000u, 5u}}) {
             octree tree;
@@ -800,7 +823,8 @@ std::string flaw_of_octants(const aabb& cell, const ray& r, interval range) {
 }  // namespace
 
 TEST_CASE("a ray meets at most four octants, in order", "[step6]") {
-    INFO(hint("holes, and surfaces that show through others", "the three planes through the middle cut the ray's stretch into at most four parts; sort them by t", "§6 Three planes"));
+    INFO(hint("holes, and surfaces that show through others",
+              "the three planes through the middle cut the ray's stretch into at most four parts; sort them by t", "§6 Three planes"));
     numbers random(12);
     const aabb cell{{-3, 1, 20}, {4, 2.5f, 26}};
     const auto rays = towards(random, cell, 500);
@@ -808,7 +832,8 @@ TEST_CASE("a ray meets at most four octants, in order", "[step6]") {
 }
 
 TEST_CASE("for rays that run backwards the upper octants come first", "[step6]") {
-    INFO(hint("right from one side, wrong from the other", "the numbers 0 to 7 are in order only for a ray that runs forwards along all three axes", "§6 In order"));
+    INFO(hint("right from one side, wrong from the other",
+              "the numbers 0 to 7 are in order only for a ray that runs forwards along all three axes", "§6 In order"));
     const aabb cell{{0, 0, 0}, {2, 2, 2}};
     for (std::uint32_t k = 0; k < 8; ++k) {
         const glm::vec3 sign(k & 1 ? -1 : 1, k & 2 ? -1 : 1, k & 4 ? -1 : 1);
@@ -835,7 +860,8 @@ TEST_CASE("along planes, through edges and corners the octants are right", "[ste
 }
 
 TEST_CASE("only the given stretch counts", "[step6]") {
-    INFO(hint("surfaces behind the eye, or behind the hit, are tested", "a plane that is passed before `part.enter` or after `part.leave` cuts nothing", "§6 Three planes"));
+    INFO(hint("surfaces behind the eye, or behind the hit, are tested",
+              "a plane that is passed before `part.enter` or after `part.leave` cuts nothing", "§6 Three planes"));
     numbers random(13);
     const aabb cell{{-3, 1, 20}, {4, 2.5f, 26}};
     for (const interval range : {interval{0, 0.5f}, {0.25f, 0.6f}, {0.4f, infinite}, {0, 1e-3f}}) {
@@ -901,7 +927,8 @@ void check_cut(const aabb& cell, const std::vector<aabb>& boxes, const costs& c)
 }  // namespace
 
 TEST_CASE("no other cut costs less", "[step7]") {
-    INFO(hint("the tree is right, but slow", "try both ends of every box, along all three axes, and take the one with the least cost", "§7 The cost of a cut"));
+    INFO(hint("the tree is right, but slow",
+              "try both ends of every box, along all three axes, and take the one with the least cost", "§7 The cost of a cut"));
     numbers random(14);
     for (int i = 0; i < 300; ++i) {
         const aabb cell{{-1, 2, 0}, {-1 + random.between(1, 4), 2 + random.between(1, 4), random.between(1, 4)}};
@@ -916,7 +943,8 @@ TEST_CASE("no other cut costs less", "[step7]") {
 }
 
 TEST_CASE("boxes that end at the same planes, and flat ones, are counted where they belong", "[step7]") {
-    INFO(hint("the tree is right, but slow where surfaces touch each other", "is_below and is_above say who counts where: touching is not reaching", "§7 Who is where"));
+    INFO(hint("the tree is right, but slow where surfaces touch each other",
+              "is_below and is_above say who counts where: touching is not reaching", "§7 Who is where"));
     numbers random(15);
     const aabb cell{{0, 0, 0}, {4, 4, 4}};
     for (int i = 0; i < 300; ++i) {
@@ -936,7 +964,9 @@ TEST_CASE("boxes that end at the same planes, and flat ones, are counted where t
 }
 
 TEST_CASE("large parts count more than small ones", "[step7]") {
-    INFO(hint("the tree cuts in the middle, or half and half, instead of around what is there", "a ray through the cell passes through a part with probability A_part / A: areas, not volumes, not numbers alone", "§7 The cost of a cut"));
+    INFO(hint("the tree cuts in the middle, or half and half, instead of around what is there",
+              "a ray through the cell passes through a part with probability A_part / A: areas, not volumes, not numbers alone",
+              "§7 The cost of a cut"));
     // Thirty small boxes at the left end of a long cell, one at the right end. Cut off the crowd.
     std::vector<aabb> boxes;
     for (int i = 0; i < 30; ++i) {
@@ -953,7 +983,8 @@ TEST_CASE("large parts count more than small ones", "[step7]") {
 }
 
 TEST_CASE("empty space is cut off", "[step7]") {
-    INFO(hint("rays through empty space pass as many cells as others", "with no surface on one side the tests cost (1 - empty_bonus) of what they did: less, not more", "§7 Empty space"));
+    INFO(hint("rays through empty space pass as many cells as others",
+              "with no surface on one side the tests cost (1 - empty_bonus) of what they did: less, not more", "§7 Empty space"));
     // All in the right half. Without a bonus it is cheaper to cut among them.
     std::vector<aabb> boxes;
     for (int i = 0; i < 8; ++i) boxes.push_back({{4 + 0.5f * float(i), 0, 0}, {4.5f + 0.5f * float(i), 4, 4}});
@@ -977,7 +1008,8 @@ TEST_CASE("empty space is cut off", "[step7]") {
 }
 
 TEST_CASE("no cut is made that does not pay", "[step7]") {
-    INFO(hint("the tree is deep, and slower than a shallow one", "a leaf costs `test` for each box; when no cut costs less, the answer is nothing", "§7 When to stop"));
+    INFO(hint("the tree is deep, and slower than a shallow one",
+              "a leaf costs `test` for each box; when no cut costs less, the answer is nothing", "§7 When to stop"));
     const aabb cell{{0, 0, 0}, {1, 1, 1}};
     const std::vector<aabb> one{{{0.4f, 0.4f, 0.4f}, {0.6f, 0.6f, 0.6f}}}, all(20, cell);
     CHECK_FALSE(best_cut(cell, all, {1, 4, 0.5f}).has_value());
@@ -1055,7 +1087,8 @@ std::string flaw_of_leaves(const cut_up& c, const std::vector<visit>& seen, cons
         if (!all) return which + "visited, though the ray misses the tree";
         if (!(part.enter <= part.leave + slack)) return which + "left before it is entered";
         const glm::dvec3 middle = glm::dvec3(r.origin) + 0.5 * (part.enter + part.leave) * glm::dvec3(r.direction);
-        if (!(outside(wide(c.cells[leaf]), box, middle) <= 2e-6)) return which + "the ray is not in it from t = " + std::to_string(part.enter) + " to " + std::to_string(part.leave);
+        if (!(outside(wide(c.cells[leaf]), box, middle) <= 2e-6))
+            return which + "the ray is not in it from t = " + std::to_string(part.enter) + " to " + std::to_string(part.leave);
         if (!within_a_plane && !(part.enter >= before - slack)) return which + "it comes too late";
         if (part.enter > end + slack) return which + "it lies behind the hit";
         before = part.enter;
@@ -1064,7 +1097,8 @@ std::string flaw_of_leaves(const cut_up& c, const std::vector<visit>& seen, cons
         const auto part = stretch_in(wide(c.cells[leaf]), r, range);
         if (!c.is_leaf(leaf) || !part || part->leave - part->enter <= 2 * slack || part->enter > end - slack) continue;
         const std::string which = "leaf " + std::to_string(leaf) + ": ";
-        if (times[leaf] == 0) return which + "not visited, though the ray is in it from t = " + std::to_string(part->enter) + " to " + std::to_string(part->leave);
+        if (times[leaf] == 0)
+            return which + "not visited, though the ray is in it from t = " + std::to_string(part->enter) + " to " + std::to_string(part->leave);
         const auto found = std::ranges::find(seen, leaf, &visit::cell)->part;
         if (!(std::abs(found.enter - part->enter) <= slack && std::abs(found.leave - part->leave) <= slack))
             return which + "its stretch is from " + std::to_string(part->enter) + " to " + std::to_string(part->leave) + ", not from " + std::to_string(found.enter) + " to " + std::to_string(found.leave);
@@ -1081,7 +1115,8 @@ void check_leaves(const cut_up& c, const std::vector<ray>& rays, interval range)
 }  // namespace
 
 TEST_CASE("the leaves that the ray passes are visited once, in order, each with its stretch", "[step8]") {
-    INFO(hint("holes in the picture, or surfaces that show through others", "the plane's t cuts the stretch in two: the near part [enter, t] first, then the far part [t, leave]", "§8 Near and far"));
+    INFO(hint("holes in the picture, or surfaces that show through others",
+              "the plane's t cuts the stretch in two: the near part [enter, t] first, then the far part [t, leave]", "§8 Near and far"));
     numbers random(17);
     const aabb box{{-3, 1, 20}, {4, 2.5f, 26}};
     const cut_up c = at_random(box, random, 151);
@@ -1115,7 +1150,8 @@ TEST_CASE("within planes, through edges and corners no leaf is lost", "[step8]")
 }
 
 TEST_CASE("the walk through the tree keeps within the range", "[step8]") {
-    INFO(hint("surfaces behind the eye are tested, and shadow rays go on behind the lamp", "begin with clip(tree.box, r, range); a child with an empty stretch is not entered", "§8 Near and far"));
+    INFO(hint("surfaces behind the eye are tested, and shadow rays go on behind the lamp",
+              "begin with clip(tree.box, r, range); a child with an empty stretch is not entered", "§8 Near and far"));
     numbers random(19);
     const aabb box{{-3, 1, 20}, {4, 2.5f, 26}};
     const cut_up c = at_random(box, random, 101);
@@ -1155,7 +1191,8 @@ TEST_CASE("when nothing remains, no further leaf is visited", "[step8]") {
 }
 
 TEST_CASE("through the kd-tree, the closest hit is the closest of all", "[step8]") {
-    INFO(hint("the picture differs from that of brute force", "no leaf too few, none in the wrong order, and not the end before the hit lies in the leaf", "§8 A hit elsewhere"));
+    INFO(hint("the picture differs from that of brute force",
+              "no leaf too few, none in the wrong order, and not the end before the hit lies in the leaf", "§8 A hit elsewhere"));
     numbers random(22);
     const aabb box{{-1, -1, -1}, {5, 4, 3}};
     std::vector<ball> balls;
@@ -1204,12 +1241,14 @@ double offers_a_ray(structure which, const std::vector<ball>& balls, const std::
 }  // namespace
 
 TEST_CASE("a prediction is made for each scene", "[step9]") {
-    INFO(hint("no harm is done, but nothing is learnt either", "say what you expect before you measure; right or wrong does not matter here", "§9 Predict"));
+    INFO(hint("no harm is done, but nothing is learnt either",
+              "say what you expect before you measure; right or wrong does not matter here", "§9 Predict"));
     for (const structure s : predictions()) CHECK((s == structure::grid || s == structure::octree || s == structure::kd_tree || s == structure::bvh));
 }
 
 TEST_CASE("in a cloud of a thousand balls a ray is tested against few", "[step9]") {
-    INFO(hint("right, but slow", "the bounds are in the handout: which of the three is above its own? Then look at the steps before", "§9 Fast enough"));
+    INFO(hint("right, but slow",
+              "the bounds are in the handout: which of the three is above its own? Then look at the steps before", "§9 Fast enough"));
     (void)predictions();
     numbers random(23);
     const auto balls = cloud(random, 1000, 1, 0.02f, 0.06f);
@@ -1220,7 +1259,8 @@ TEST_CASE("in a cloud of a thousand balls a ray is tested against few", "[step9]
 }
 
 TEST_CASE("in a crowd within a wide space a tree tests few", "[step9]") {
-    INFO(hint("right, but slow", "the bounds are in the handout; the grid has none here, for the whole crowd is in one of its cells", "§9 Fast enough"));
+    INFO(hint("right, but slow",
+              "the bounds are in the handout; the grid has none here, for the whole crowd is in one of its cells", "§9 Fast enough"));
     (void)predictions();
     numbers random(24);
     auto balls = cloud(random, 600, 0.01f, 0.0003f, 0.0008f);
