@@ -62,6 +62,7 @@ set(LANTERN_FLOOR_2
   instance
   kd_tree
   light
+  lobe
   material
   mesh
   mirror

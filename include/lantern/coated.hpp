@@ -2,6 +2,7 @@
 #pragma once
 // A body under a coat: varnish, polish, a wet floor.
 
+#include <lantern/lobe.hpp>
 #include <lantern/material.hpp>
 #include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
@@ -40,6 +41,22 @@ template <class Body, class Coat>
 template <reflects_ambient Body, class Coat>
 [[nodiscard]] glm::vec3 albedo(const coated<Body, Coat>& m, const hit& h) {
     return (1 - m.share) * albedo(m.body, h);
+}
+
+/// Directions for the body are drawn as the body draws them.
+template <draws_directions Body, class Coat>
+[[nodiscard]] glm::vec3 draw(const coated<Body, Coat>& m, glm::vec3 in, const hit& h, glm::vec2 xi) {
+    return draw(m.body, in, h, xi);
+}
+template <draws_directions Body, class Coat>
+[[nodiscard]] double density(const coated<Body, Coat>& m, glm::vec3 in, const hit& h, glm::vec3 out) {
+    return density(m.body, in, h, out);
+}
+
+template <class Body, has_lobe Coat>
+[[nodiscard]] response lobe(const coated<Body, Coat>& m, glm::vec3 in, const hit& h, glm::vec3 out) {
+    const response coat = lobe(m.coat, in, h, out);
+    return {m.share * coat.value, coat.density};
 }
 
 /// With as many points of the unit square as the coat asks for.

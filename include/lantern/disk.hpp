@@ -24,6 +24,8 @@ struct disk {
     glm::vec3 center{0};
     glm::vec3 normal{0, 0, 1};
     float radius = 1;
+
+    [[nodiscard]] bool operator==(const disk&) const = default;
 };
 
 inline void validate(const disk& s) {

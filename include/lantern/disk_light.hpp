@@ -47,4 +47,10 @@ inline void validate(const disk_light& l) {
     return illuminate_from(position, area * glm::dvec3(b.w), l.radiance, point);
 }
 
+/// How densely `illuminate` draws the direction from `point` to `position`, a point of the light, per solid angle.
+[[nodiscard]] inline double density(const disk_light& l, glm::vec3 point, glm::vec3 position) {
+    const double area = std::numbers::pi * double(l.radius) * double(l.radius);
+    return density_from(glm::dvec3(position), area * glm::normalize(glm::dvec3(l.normal)), point);
+}
+
 }  // namespace lantern

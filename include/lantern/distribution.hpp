@@ -18,7 +18,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <ranges>
@@ -78,36 +77,10 @@ private:
                 sum += direct_light(*structure_, things_, r, in, h, m, light);
             }
         }
-        if constexpr (goes_on<Material>) {
+        if constexpr (scatters<Material>) {
             if (depth < options_.depth) sum += carried_on(scattered(m, in, h, source), r, h, source, depth);
         }
         return sum;
-    }
-
-    template <class Kind, class Ray, class Source>
-    static illumination illumination_from(const Kind& light, std::uint32_t which, const Ray& r, glm::vec3 point,
-                                          const Source& source) {
-        static_assert(still_light<Kind> || std::derived_from<Ray, timed_ray>,
-                      "a moving light needs a camera with a shutter");
-        if constexpr (point_like<Kind>) return illuminate(light, point);
-        else if constexpr (sampled_light<Kind>) return illuminate(light, point, source.draw2(purpose::light, which));
-        else if constexpr (moving_point_light<Kind>) return illuminate(light, point, r.time);
-        else return illuminate(light, point, source.draw2(purpose::light, which), r.time);
-    }
-
-    template <class Material>
-    static constexpr bool goes_on =
-        specular<Material> || scatters_by_sample<Material> || scatters_by_two_samples<Material>;
-
-    template <class Material, class Source>
-    static bounces scattered(const Material& m, glm::vec3 in, const hit& h, const Source& source) {
-        if constexpr (specular<Material>) {
-            return scatter(m, in, h);
-        } else if constexpr (scatters_by_sample<Material>) {
-            return scatter(m, in, h, source.draw2(purpose::gloss));
-        } else {
-            return scatter(m, in, h, source.draw2(purpose::gloss, 0), source.draw2(purpose::gloss, 1));
-        }
     }
 
     template <class Ray, class Source>
@@ -121,7 +94,7 @@ private:
         const float first = rays.size() > 0 ? largest(rays[0].weight) : 0;
         const float second = rays.size() > 1 ? largest(rays[1].weight) : 0;
         if (first > 0 && second > 0 && depth >= options_.split_depth) {
-            const float chance = first / (first + second);
+            const float chance = chance_of_first(rays);
             return source.draw1(purpose::branch) < chance ? follow(0, chance) : follow(1, 1 - chance);
         }
         glm::vec3 sum{0};  // what is black is not followed
@@ -129,8 +102,6 @@ private:
         if (second > 0) sum += follow(1, 1);
         return sum;
     }
-
-    static float largest(glm::vec3 weight) { return std::max({weight.x, weight.y, weight.z}); }
 
     const Accelerator* structure_;
     std::span<const Thing> things_;

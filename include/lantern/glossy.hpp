@@ -4,6 +4,7 @@
 
 #include <lantern/basis.hpp>
 #include <lantern/glass.hpp>
+#include <lantern/lobe.hpp>
 #include <lantern/material.hpp>
 #include <lantern/mirror.hpp>
 #include <lantern/surface.hpp>
@@ -12,6 +13,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <cmath>
+#include <cstdint>
 
 namespace lantern {
 
@@ -25,6 +29,19 @@ namespace lantern {
     const double a = width, u = -a / 2 + double(xi.x) * a, v = -a / 2 + double(xi.y) * a;
     return glm::vec3(glm::normalize(glm::dvec3(b.w) + u * glm::dvec3(b.u) + v * glm::dvec3(b.v)));
 }
+
+/// How densely `perturbed` draws `direction`, per solid angle: 1 / (a² cos³ θ) within the square, of which a piece dA at the
+/// distance 1 / cos θ is seen under dA cos³ θ; 0 outside. Only for widths that are not `sharp`.
+[[nodiscard]] inline double perturbed_density(glm::vec3 r, float width, glm::vec3 direction) {
+    const basis b = basis_from(r);
+    const glm::dvec3 d(direction);
+    const double cosine = glm::dot(d, glm::dvec3(b.w)), half = double(width) / 2 * cosine;
+    if (!(cosine > 0 && std::abs(glm::dot(d, glm::dvec3(b.u))) < half && std::abs(glm::dot(d, glm::dvec3(b.v))) < half)) return 0;
+    return 1 / (double(width) * double(width) * cosine * cosine * cosine);
+}
+
+/// Whether a square is so small that the rounding of a direction, some 2^-24, blurs its border by more than a thousandth.
+[[nodiscard]] inline bool sharp(float width) { return !(width > 0x1p-14f); }
 
 /// Brings a direction to the side that `normal` points to. Near grazing part of the square lies behind the surface: at
 /// an incidence of 80° and width 1 a third of it. Folded back at the surface, as by a second reflection, that part goes on
@@ -51,6 +68,19 @@ inline void validate(const glossy& m) {
     return bounce{folded(r, facing(h.normal, in)), m.color};
 }
 
+/// How densely a perturbed and folded direction is drawn: what is folded comes on top. `normal` has unit length.
+[[nodiscard]] inline double folded_density(glm::vec3 r, float width, glm::vec3 direction, glm::vec3 normal) {
+    const float height = glm::dot(direction, normal);
+    if (!(height > 0)) return 0;
+    return perturbed_density(r, width, direction) + perturbed_density(r, width, direction - 2 * height * normal);
+}
+
+[[nodiscard]] inline response lobe(const glossy& m, glm::vec3 in, const hit& h, glm::vec3 out) {
+    if (sharp(m.width)) return {};
+    const double density = folded_density(mirrored(in, h.normal), m.width, out, facing(h.normal, in));
+    return {static_cast<float>(density) * m.color, density};
+}
+
 /// Frosted glass: both of its rays are perturbed, each by a point of its own.
 struct frosted {
     glass body{};
@@ -70,6 +100,21 @@ inline void validate(const frosted& m) {
     };
     const bounces clear = scatter(m.body, in, h);
     return clear.size() == 2 ? bounces{perturb(clear[0], xi), perturb(clear[1], xi2)} : bounces{perturb(clear[0], xi)};
+}
+
+[[nodiscard]] inline response lobe(const frosted& m, glm::vec3 in, const hit& h, glm::vec3 out) {
+    if (sharp(m.width)) return {};
+    const glm::vec3 front = facing(h.normal, in);
+    const bounces clear = scatter(m.body, in, h);
+    const float first = chance_of_first(clear);
+    response sum;
+    for (std::uint32_t k = 0; k < clear.size(); ++k) {
+        const bool reflected = glm::dot(clear[k].direction, front) > 0;
+        const double density = folded_density(clear[k].direction, m.width, out, reflected ? front : -front);
+        sum.value += static_cast<float>(density) * clear[k].weight;
+        sum.density += double(k == 0 ? first : 1 - first) * density;
+    }
+    return sum;
 }
 
 }  // namespace lantern

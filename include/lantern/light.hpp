@@ -96,4 +96,11 @@ inline void validate(const point_light& l) {
             glm::vec3(glm::dvec3(radiance) * (area_cosine / (d2 * std::sqrt(d2))))};
 }
 
+/// The density by solid angle of `illuminate_from` with evenly drawn points, d² / (A cos θ): 0 seen from behind.
+[[nodiscard]] inline double density_from(glm::dvec3 position, glm::dvec3 area_normal, glm::vec3 point) {
+    const glm::dvec3 to_point = glm::dvec3(point) - position;
+    const double area_cosine = glm::dot(area_normal, to_point), d2 = glm::dot(to_point, to_point);
+    return area_cosine > 0 ? d2 * std::sqrt(d2) / area_cosine : 0;
+}
+
 }  // namespace lantern

@@ -2,6 +2,7 @@
 #pragma once
 // Materials: how a surface answers light, and where rays go on from it.
 
+#include <lantern/samples.hpp>
 #include <lantern/surface.hpp>
 #include <lantern/validate.hpp>
 
@@ -10,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -70,6 +72,10 @@ concept scatters_by_two_samples = requires(const M& m, glm::vec3 in, const hit& 
     { scatter(m, in, h, xi, xi2) } -> std::same_as<bounces>;
 };
 
+/// Sends rays on, with however many points of the unit square.
+template <class M>
+concept scatters = specular<M> || scatters_by_sample<M> || scatters_by_two_samples<M>;
+
 /// Answers light that comes evenly from everywhere: the fraction it sends back.
 template <class M>
 concept reflects_ambient = requires(const M& m, const hit& h) {
@@ -83,8 +89,29 @@ concept emits = requires(const M& m, glm::vec3 in, const hit& h) {
 };
 
 template <class M>
-concept material = reflects_light<M> || specular<M> || scatters_by_sample<M> || scatters_by_two_samples<M> ||
-                   reflects_ambient<M> || emits<M>;
+concept material = reflects_light<M> || scatters<M> || reflects_ambient<M> || emits<M>;
+
+/// The rays that a material sends on. It draws the points that the material asks for, and nothing for one that needs none.
+template <scatters M, sample_source Source>
+[[nodiscard]] bounces scattered(const M& m, glm::vec3 in, const hit& h, const Source& source) {
+    if constexpr (specular<M>) {
+        return scatter(m, in, h);
+    } else if constexpr (scatters_by_sample<M>) {
+        return scatter(m, in, h, source.draw2(purpose::gloss));
+    } else {
+        return scatter(m, in, h, source.draw2(purpose::gloss, 0), source.draw2(purpose::gloss, 1));
+    }
+}
+
+[[nodiscard]] inline float largest(glm::vec3 weight) { return std::max({weight.x, weight.y, weight.z}); }
+
+/// When one of the rays is followed for all: how likely it is the first. In proportion to what they carry; what is black
+/// is not followed.
+[[nodiscard]] inline float chance_of_first(const bounces& rays) {
+    const float first = rays.size() > 0 ? largest(rays[0].weight) : 0;
+    const float second = rays.size() > 1 ? largest(rays[1].weight) : 0;
+    return first > 0 ? first / (first + second) : 0;
+}
 
 /// The normal on the side that a ray came from.
 [[nodiscard]] inline glm::vec3 facing(glm::vec3 normal, glm::vec3 in) {

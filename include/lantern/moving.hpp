@@ -25,6 +25,8 @@ template <class Surface>
 struct moving {
     Surface surface;
     glm::vec3 displacement{0};
+
+    [[nodiscard]] bool operator==(const moving&) const = default;
 };
 
 template <class Surface>

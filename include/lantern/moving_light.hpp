@@ -31,6 +31,13 @@ template <movable_light L>
     return illuminate(displaced(l.surface, time * l.displacement), point, xi);
 }
 
+/// How densely `illuminate` draws the direction from `point` to `position`, a point of the light at that time, per solid angle.
+template <movable_light L>
+    requires requires(const L& l, glm::vec3 point) { density(l, point, point); }
+[[nodiscard]] double density(const moving<L>& l, glm::vec3 point, glm::vec3 position, float time) {
+    return density(displaced(l.surface, time * l.displacement), point, position);
+}
+
 /// The surface that shines, moving with the light.
 template <movable_light L>
     requires requires(const L& l) { surface_of(l); }

@@ -24,6 +24,8 @@ struct rectangle {
     glm::vec3 corner{0};
     glm::vec3 u{1, 0, 0};
     glm::vec3 v{0, 1, 0};
+
+    [[nodiscard]] bool operator==(const rectangle&) const = default;
 };
 
 inline void validate(const rectangle& s) {

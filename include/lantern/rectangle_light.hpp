@@ -40,4 +40,9 @@ inline void validate(const rectangle_light& l) {
     return illuminate_from(position, glm::cross(u, v), l.radiance, point);
 }
 
+/// How densely `illuminate` draws the direction from `point` to `position`, a point of the light, per solid angle.
+[[nodiscard]] inline double density(const rectangle_light& l, glm::vec3 point, glm::vec3 position) {
+    return density_from(glm::dvec3(position), glm::cross(glm::dvec3(l.edge_u), glm::dvec3(l.edge_v)), point);
+}
+
 }  // namespace lantern

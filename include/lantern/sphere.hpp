@@ -24,6 +24,8 @@ namespace lantern {
 struct sphere {
     glm::vec3 center{0};
     float radius = 1;
+
+    [[nodiscard]] bool operator==(const sphere&) const = default;
 };
 
 inline void validate(const sphere& s) {

@@ -41,4 +41,10 @@ inline void validate(const sphere_light& l) {
             glm::vec3(solid_angle(*seen) * glm::dvec3(l.radiance))};
 }
 
+/// How densely `illuminate` draws the direction from `point` to any point that it sees of the light, per solid angle: 1 / Ω.
+[[nodiscard]] inline double density(const sphere_light& l, glm::vec3 point, glm::vec3) {
+    const auto seen = sphere_seen_from(point, l.center, l.radius);
+    return seen ? 1 / solid_angle(*seen) : 0;
+}
+
 }  // namespace lantern
