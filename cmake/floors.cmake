@@ -88,9 +88,11 @@ set(LANTERN_FLOOR_3
   convergence
   direct
   distribution
+  emitters
   exact
   exact_error
   exact_light
+  path
   render
   shard
   validate_scene
