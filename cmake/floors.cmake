@@ -74,6 +74,7 @@ set(LANTERN_FLOOR_2
   plane
   rectangle
   rectangle_light
+  reduce
   rotating
   sky
   sphere
@@ -95,6 +96,7 @@ set(LANTERN_FLOOR_3
   path
   render
   shard
+  trim
   validate_scene
   whitted
 )

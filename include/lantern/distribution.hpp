@@ -92,7 +92,8 @@ private:
             return b.weight / chance * radiance_along(next, source.branch(k), depth + 1);
         };
         const float first = rays.size() > 0 ? largest(rays[0].weight) : 0;
-        const float second = rays.size() > 1 ? largest(rays[1].weight) : 0;
+        if (rays.size() < 2) return first > 0 ? follow(0, 1) : glm::vec3(0);
+        const float second = largest(rays[1].weight);
         if (first > 0 && second > 0 && depth >= options_.split_depth) {
             const float chance = chance_of_first(rays);
             return source.draw1(purpose::branch) < chance ? follow(0, chance) : follow(1, 1 - chance);

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""trim_cost.py PROGRAM [LIMIT]: does a trimmed scene run no more instructions than a kernel written by hand for it?
+
+PROGRAM is trim_kernels. Valgrind counts the instructions of each kernel, so load and speed of the machine are no
+matter; the pictures must be the same. More than LIMIT per cent (1) above the kernel by hand is a failure. Without
+valgrind, or where it does not know the processor's instructions, there is nothing to say: exit code 77, skipped."""
+
+import re
+import shutil
+import subprocess
+import sys
+
+SCENES = ("static", "lens", "motion", "gloss", "shadow", "all")
+SKIPPED = 77
+SIDE = "12"
+
+
+def count(program: str, scene: str, kernel: str) -> tuple[str, int] | None:
+    """The picture's hash and the instructions; None where valgrind cannot run the program."""
+    done = subprocess.run(
+        ["valgrind", "--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null", program, scene, kernel, SIDE],
+        capture_output=True, text=True, errors="replace", check=False)
+    collected = re.search(r"Collected : (\d+)", done.stderr)
+    if done.returncode != 0 or collected is None:
+        print(done.stderr[-2000:])
+        return None
+    return done.stdout.strip(), int(collected[1])
+
+
+def main() -> int:
+    program = sys.argv[1]
+    limit = float(sys.argv[2]) if len(sys.argv) > 2 else 1.0
+    if shutil.which("valgrind") is None:
+        print("skipped: there is no valgrind to count instructions with")
+        return SKIPPED
+    failed = False
+    samples = 4 * int(SIDE) ** 2
+    print(f"{'scene':8} {'by hand':>9} {'trimmed':>9} {'':>8} {'everything':>11}   instructions a sample")
+    for scene in SCENES:
+        counts = {}
+        for kernel in ("stripped", "trimmed", "everything"):
+            found = count(program, scene, kernel)
+            if found is None:
+                print(f"skipped: valgrind could not run {program} {scene} {kernel}")
+                return SKIPPED
+            counts[kernel] = found
+        hand, trimmed, everything = (counts[k][1] for k in ("stripped", "trimmed", "everything"))
+        above = 100 * (trimmed / hand - 1)
+        verdict = "" if above <= limit else f"   more than {limit:g} % above"
+        if len({picture for picture, _ in counts.values()}) > 1:
+            verdict += "   the pictures differ"
+        failed = failed or bool(verdict)
+        print(f"{scene:8} {hand / samples:9.1f} {trimmed / samples:9.1f} {above:+7.2f}% {everything / samples:11.1f}{verdict}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
