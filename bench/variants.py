@@ -42,7 +42,7 @@ VARIANTS = {
     "soft shadows": ("sphere", "diffuse, mirror", "sphere_light", "pinhole"),
     "all that is asked for": ("any_of<sphere, moving<sphere>>", "diffuse, mirror, glossy", "sphere_light", "thin_lens, shutter"),
     "everything": ("any_of<sphere, moving<sphere>>", "diffuse, mirror, glossy", "std::variant<point_light, sphere_light>", "thin_lens, shutter"),
-    "trim, 24 kernels": "image wanted(const trim_scene::everything& s) { return trim<questions{.structure = false}>(s, [](const auto&... parts) { return picture(parts...); }); }",
+    "trim, 24 kernels": "image wanted(const trim_scene::everything& s) { return trim(s, [](const auto&... parts) { return picture(parts...); }); }",
 }
 
 

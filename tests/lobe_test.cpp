@@ -26,15 +26,21 @@ using lantern::blinn_phong;
 using lantern::diffuse;
 using lantern::glossy;
 
-namespace {
-
-const lantern::hit up{.normal = {0, 0, 1}};
+namespace mine {
 
 /// Chalk: only `evaluate`, nothing else.
 struct chalk {};
 glm::vec3 evaluate(const chalk&, glm::vec3 in, const lantern::hit& h, glm::vec3 out) {
     return glm::vec3(0.2f * glm::max(0.0f, glm::dot(lantern::facing(h.normal, in), out)));
 }
+
+}  // namespace mine
+
+namespace {
+
+using mine::chalk;
+
+const lantern::hit up{.normal = {0, 0, 1}};
 
 /// How often directions fall into 16 × 32 cells of height and angle, and what their density says: Pearson's test. Each
 /// cell's probability is the mean over fine × fine points of it.

@@ -160,7 +160,7 @@ std::uint64_t run(const std::string& scene, const std::string& kernel, std::uint
     const trim_scene::effects on{.lens = all || scene == "lens", .motion = all || scene == "motion", .gloss = all || scene == "gloss", .soft = all || scene == "shadow"};
     const trim_scene::everything s = trim_scene::of(on);
     if (kernel == "trimmed")
-        return trim<lantern::questions{.structure = false}>(s, [&](const auto&... parts) { return by_library(side, parts...); });
+        return trim(s, [&](const auto&... parts) { return by_library(side, parts...); });
     if (kernel == "everything")
         return by_library(side, lantern::every{4}, s.things, s.lights, lantern::camera{s.from, s.lens, s.exposure});
     if (kernel != "stripped") throw std::invalid_argument("there is no kernel " + kernel);

@@ -3,7 +3,7 @@
 // tests/checks/trim_cost.py.
 #include <lantern/trim.hpp>
 
-#include <lantern/coated.hpp>
+#include <lantern/bvh.hpp>
 #include <lantern/distribution.hpp>
 #include <lantern/plane.hpp>
 #include <lantern/render.hpp>
@@ -65,7 +65,7 @@ const auto look = [](const auto& structure, const auto& things, const auto& ligh
     return o;
 };
 
-outcome trimmed(const effects& on) { return lantern::trim(trim_scene::of(on), look); }
+outcome trimmed(const effects& on) { return trim(trim_scene::of(on), look); }
 
 outcome untrimmed(const effects& on) {
     const auto s = trim_scene::of(on);
@@ -146,7 +146,7 @@ TEST_CASE("it says what it left out, and why") {
     CHECK(asked.size() == 2);
 }
 
-TEST_CASE("many things get a tree, endless ones never; a scene without lamps has no choice of lamps") {
+TEST_CASE("many things get the tree that is offered, endless ones never; a scene without lamps has no choice of lamps") {
     const auto kind = [](const auto& structure, const auto&, const auto& lights, const auto&) {
         return std::same_as<std::remove_cvref_t<decltype(structure)>, lantern::every>
                    ? std::is_same_v<std::remove_cvref_t<decltype(lights)>, std::vector<lantern::point_light>> ? 1 : 2
@@ -157,12 +157,13 @@ TEST_CASE("many things get a tree, endless ones never; a scene without lamps has
     const std::vector<lantern::sphere_light> lamps(1), dark;
     const std::vector few(lantern::few_things, ball{}), many(lantern::few_things + 1, ball{});
     const lantern::view from;
-    CHECK(trim(ingredients{few, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind) == 2);
-    CHECK(trim(ingredients{many, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind) == 3);
-    CHECK(trim(ingredients{few, dark, from, lantern::pinhole{}, lantern::instant{}}, kind) == 1);
+    const auto tree = [](const auto& things) { return lantern::bvh{things}; };
+    CHECK(trim(ingredients{few, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind, tree) == 2);
+    CHECK(trim(ingredients{many, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind, tree) == 3);
+    CHECK(trim(ingredients{few, dark, from, lantern::pinhole{}, lantern::instant{}}, kind, tree) == 1);
     const std::vector planes(100, lantern::object{lantern::plane{}, lantern::diffuse{}});
-    CHECK(trim(ingredients{planes, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind) == 2);
-    CHECK(lantern::trim<lantern::questions{.structure = false}>(ingredients{many, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind) == 2);
+    CHECK(trim(ingredients{planes, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind, tree) == 2);
+    CHECK(trim(ingredients{many, lamps, from, lantern::pinhole{}, lantern::instant{}}, kind) == 2);  // none is offered
 }
 
 TEST_CASE("a lamp that moves keeps the shutter, and one that stands still does not") {

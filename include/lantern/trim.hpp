@@ -2,8 +2,8 @@
 #pragma once
 // A scene chosen at run time, cut down to what it needs: one look at its values, one choice of types, one render.
 
+#include <lantern/aabb.hpp>
 #include <lantern/any_of.hpp>
-#include <lantern/bvh.hpp>
 #include <lantern/camera.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/light.hpp>
@@ -44,8 +44,10 @@ struct questions {
     bool gloss = true;      ///< is any reflection blurred?
     bool shape = true;      ///< is there more than one kind of shape? Asked of scenes that stand still
     bool light = true;      ///< is there more than one kind of light, or any at all?
-    bool structure = true;  ///< are there so many things that an acceleration structure pays? Not asked, none is built
 };
+
+/// Where no acceleration structure is offered.
+struct no_structure {};
 
 /// Up to here `every` costs less than a tree: instructions for a ray through spheres and triangles, the build not counted.
 inline constexpr std::size_t few_things = 5;
@@ -122,10 +124,10 @@ template <class Thing, class Light, class Lens, class Shutter>
     return count_that_need(motion{}, s.things) + count_that_need(motion{}, s.lights) > 0;
 }
 
-template <questions Asked, class Thing, class Next>
-auto with_structure(const std::vector<Thing>& things, const Next& next) {
-    if constexpr (Asked.structure && bounded<Thing>)
-        if (things.size() > few_things) return next(bvh{things});
+template <class Thing, class Build, class Next>
+auto with_structure(const std::vector<Thing>& things, const Build& build, const Next& next) {
+    if constexpr (bounded<Thing> && !std::same_as<Build, no_structure>)
+        if (things.size() > few_things) return next(build(things));
     return next(every{static_cast<std::uint32_t>(things.size())});
 }
 
@@ -191,18 +193,19 @@ template <questions Asked = questions{}, class Thing, class Light, class Lens, c
         if (s.lights.empty()) found.push_back({"lights", true, "there are none"});
         else found.push_back({"choice of lights", used < 2, used < 2 ? "all are of one kind" : "there are " + std::to_string(used) + " kinds"});
     }
-    if constexpr (Asked.structure && bounded<Thing>)
+    if constexpr (bounded<Thing>)
         found.push_back({"acceleration structure", s.things.size() <= few_things, number(s.things.size(), "thing", "things")});
     return found;
 }
 
 /// Calls visit(structure, things, lights, camera) with the smallest types that hold this scene, and returns what it returns.
 /// Looks at the values once: an aperture of 0 is a pinhole; where nothing moves there is no shutter, and a moving sphere is
-/// a sphere; gloss of width 0 is a mirror; surfaces, or lights, that are all of one kind need no choice; few things need no
-/// tree. The picture is the same, to the last bit. The visitor is compiled for every combination that the types admit.
-/// Refuses what the `validate` beside each ingredient refuses, before anything is left out.
-template <questions Asked = questions{}, class Thing, class Light, class Lens, class Shutter, class Visitor>
-auto trim(const ingredients<Thing, Light, Lens, Shutter>& s, const Visitor& visit) {
+/// a sphere; gloss of width 0 is a mirror; surfaces, or lights, that are all of one kind need no choice. `build(things)`
+/// makes an acceleration structure, [](const auto& t) { return bvh{t}; }, and is called where there are more than a few
+/// things, all bounded; without it there is none. The picture is the same, to the last bit. The visitor is compiled for every
+/// combination that the types admit. Refuses what the `validate` beside each ingredient refuses, before anything is left out.
+template <questions Asked = questions{}, class Thing, class Light, class Lens, class Shutter, class Visitor, class Build = no_structure>
+auto trim(const ingredients<Thing, Light, Lens, Shutter>& s, const Visitor& visit, const Build& build = {}) {
     validate(s.from);
     validate(s.lens);
     validate(s.exposure);
@@ -213,8 +216,8 @@ auto trim(const ingredients<Thing, Light, Lens, Shutter>& s, const Visitor& visi
             return detail::with_lights<Asked>(all_lights, [&](const auto& lights) {
                 return detail::with_lens<Asked>(s.lens, [&](const auto& lens) {
                     const camera cam{s.from, lens, exposure};
-                    return detail::with_structure<Asked>(
-                        things, [&](const auto& structure) { return visit(structure, things, lights, cam); });
+                    return detail::with_structure(
+                        things, build, [&](const auto& structure) { return visit(structure, things, lights, cam); });
                 });
             });
         });
