@@ -131,13 +131,41 @@ def mutate(solution: str, mutant: Mutant) -> str:
     return solution
 
 
-if __name__ == "__main__":  # the build's way in: labs.py starter SOLUTION OUT, labs.py mutant SOLUTION MUTANT OUT
+# ---- Judge and worker ----------------------------------------------------------------------------------------------
+
+def functions_of(contract: str, name: str = "contract.hpp") -> list[str]:
+    """The functions that a contract declares, with their namespace, in their order."""
+    code = re.sub(r"//[^\n]*|/\*.*?\*/", "", contract, flags=re.DOTALL)
+    inside = re.search(r"\bnamespace\s+(contract::lab\d\d)\b", code)
+    names = re.findall(r"\binline\s+constexpr\s+function\s*<[^;]*>\s*(\w+)\s*;", code)
+    if not inside or not names or len(names) != len(re.findall(r"\bfunction\s*<\s*\"", code)):
+        raise Problem(f"{name}: each function is to be declared as inline constexpr function<\"name\", result(parameters)> name; "
+                      "in namespace contract::labNN")
+    return [f"{inside[1]}::{each}" for each in names]
+
+
+def table_of(side: str, contract_path: pathlib.Path) -> str:
+    """The judge's or the worker's table: all functions of the contract, by number."""
+    names = functions_of(contract_path.read_text(encoding="utf-8"), str(contract_path))
+    line = {"judge": "ask_worker", "worker": "answer"}[side]
+    rows = "".join(f"    contract::{side}::{line}<{name}>({i}),\n" for i, name in enumerate(names))
+    return (f"// SPDX-License-Identifier: MIT\n// Made out of the contract by tools/labs.py.\n\n#include <{side}.hpp>\n\n"
+            f"#include \"{contract_path}\"\n\nnamespace {{\n\n[[maybe_unused]] const contract::table lab{{\n{rows}}};\n\n}}  // namespace\n")
+
+
+# The build's way in: labs.py starter SOLUTION OUT, labs.py mutant SOLUTION MUTANT OUT, labs.py judge|worker CONTRACT OUT
+if __name__ == "__main__":
     import sys
-    action, solution_path, *rest = sys.argv[1:]
+    action, source, *rest = sys.argv[1:]
     try:
-        text = pathlib.Path(solution_path).read_text(encoding="utf-8")
+        text = pathlib.Path(source).read_text(encoding="utf-8")
         out = pathlib.Path(rest[-1])
-        made = starter_of(text, solution_path) if action == "starter" else mutate(text, read_mutant(pathlib.Path(rest[0])))
+        if action in ("judge", "worker"):
+            made = table_of(action, pathlib.Path(source))
+        elif action == "starter":
+            made = starter_of(text, source)
+        else:
+            made = mutate(text, read_mutant(pathlib.Path(rest[0])))
         out.parent.mkdir(parents=True, exist_ok=True)
         out.write_text(made, encoding="utf-8")
     except Problem as problem:
