@@ -11,28 +11,30 @@ import process
 from labs import Problem
 from process import ROOT
 
-# What each part of the work needs. `test` and `ci` need all that stands before them.
+# What each part of the work needs. Each needs all that stands before it, too.
 NEEDS = {
     "build": ["compiler", "cmake", "ninja", "glm", "stb"],
     "test": ["catch2"],
+    "grade": ["bubblewrap"],
     "ci": ["clang", "tinyobj"],
 }
 
 PACKAGES = {
     "apt": {"compiler": "g++", "cmake": "cmake", "ninja": "ninja-build", "glm": "libglm-dev", "stb": "libstb-dev",
-            "catch2": "catch2", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev"},
+            "catch2": "catch2", "bubblewrap": "bubblewrap", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev"},
     "dnf": {"compiler": "gcc-c++", "cmake": "cmake", "ninja": "ninja-build", "glm": "glm-devel",
-            "stb": "stb_image_write-devel", "catch2": "catch-devel", "clang": "clang",
+            "stb": "stb_image_write-devel", "catch2": "catch-devel", "bubblewrap": "bubblewrap", "clang": "clang",
             "tinyobj": "tinyobjloader-devel"},
     "pacman": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "stb": "stb", "catch2": "catch2",
-               "clang": "clang", "tinyobj": "tinyobjloader"},
+               "bubblewrap": "bubblewrap", "clang": "clang", "tinyobj": "tinyobjloader"},
     "brew": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "catch2": "catch2", "clang": "llvm",
              "tinyobj": "tinyobjloader"},
 }
 
-# What the build does without where no package brings it: CMake fetches the first three at a pinned commit.
+# What we do without where no package brings it: CMake fetches the first three at a pinned commit.
 SPARED = {"glm": "CMake will fetch its sources", "stb": "CMake will fetch its sources",
-          "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out"}
+          "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out",
+          "bubblewrap": "./lab grade then refuses what it is not told to trust"}
 
 MINIMUM = {"cmake": (3, 25)}
 CLANGS = ["clang++-16", "clang++", "clang++-20", "clang++-19", "clang++-18", "clang++-17", "clang++-15", "clang++-14"]
@@ -141,6 +143,9 @@ def look(level: str = "ci") -> list[Finding]:
                     finding.found = text
                 else:
                     finding.remark = f"{text} is too old: {'.'.join(map(str, MINIMUM[need]))} is needed"
+        elif need == "bubblewrap":
+            if shutil.which("bwrap"):
+                finding.found = process.capture(["bwrap", "--version"])[1].strip()
         elif need == "clang":
             path = clang()
             if path:
@@ -198,7 +203,7 @@ def _install(missing: list[str]) -> None:
 def _fingerprint() -> str:
     """Changes when the programs that we found may have changed: then we look again, else a look is spared."""
     parts = [os.environ.get("PATH", ""), os.environ.get("CXX", "")]
-    for name in ("c++", "g++", "cmake", "ninja", *CLANGS):
+    for name in ("c++", "g++", "cmake", "ninja", "bwrap", *CLANGS):
         path = shutil.which(name)
         parts.append(f"{path} {os.stat(path).st_mtime_ns}" if path else "-")
     for folder in ("/usr/include", "/usr/local/include", "/opt/homebrew/include"):

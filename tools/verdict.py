@@ -51,21 +51,22 @@ class Step:
         return failures[0].gap if failures and not self.trouble and all(test.gap for test in failures) else ""
 
 
-def judge(program: pathlib.Path, lab: Lab, seconds: float | None = None) -> list[Step]:
+def judge(program: pathlib.Path, lab: Lab, seconds: float | None = None, environment: dict[str, str] | None = None,
+          at_once: int | None = None) -> list[Step]:
     """One verdict for each step of the lab."""
     if seconds is None:
         seconds = float(os.environ.get("LANTERN_STEP_SECONDS", SECONDS_PER_STEP))
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        return list(pool.map(lambda i: run_step(program, i + 1, lab.steps[i], seconds), range(len(lab.steps))))
+    with ThreadPoolExecutor(at_once or os.cpu_count()) as pool:
+        return list(pool.map(lambda i: run_step(program, i + 1, lab.steps[i], seconds, environment), range(len(lab.steps))))
 
 
-def run_step(program: pathlib.Path, number: int, name: str, seconds: float) -> Step:
+def run_step(program: pathlib.Path, number: int, name: str, seconds: float, environment: dict[str, str] | None = None) -> Step:
     """Where a test ends the process, the others of its step are run again without it."""
     step = Step(name)
     end = time.monotonic() + seconds
     while True:
         others = "".join(f"~{quoted(test.name)}" for test in step.tests)
-        status, tests, printed = run_tests(program, f"[step{number}]{others}", end - time.monotonic())
+        status, tests, printed = run_tests(program, f"[step{number}]{others}", end - time.monotonic(), environment)
         step.printed = step.printed or printed
         seen = {test.name for test in step.tests}
         new = [test for test in tests if test.name not in seen]
@@ -88,14 +89,15 @@ def run_step(program: pathlib.Path, number: int, name: str, seconds: float) -> S
     return step
 
 
-def run_tests(program: pathlib.Path, selection: str, seconds: float) -> tuple[int | None, list[Test], str]:
+def run_tests(program: pathlib.Path, selection: str, seconds: float,
+              environment: dict[str, str] | None = None) -> tuple[int | None, list[Test], str]:
     """The exit status (None: it did not end in time), the tests that were begun, and what was printed."""
     with tempfile.TemporaryDirectory(prefix="lantern-") as folder:
         report = pathlib.Path(folder) / "report.xml"
         command = [str(program), selection, "--reporter", "xml", "--out", str(report)]
         with open(pathlib.Path(folder) / "printed", "w+b") as printed:
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.STDOUT,
-                                       cwd=folder, start_new_session=True)
+                                       cwd=folder, start_new_session=True, env=environment)
             try:
                 status = process.wait(max(seconds, 0))
             except subprocess.TimeoutExpired:
@@ -105,6 +107,20 @@ def run_tests(program: pathlib.Path, selection: str, seconds: float) -> tuple[in
             printed.seek(0)
             text = printed.read(4000).decode(errors="replace").strip()
         return status, read_report(report.read_bytes() if report.exists() else b""), text
+
+
+def explained(test: Test) -> list[str]:
+    """What a failed test says, line by line."""
+    lines = []
+    if test.asked:
+        lines.append(f"asked:   {test.asked}")
+    if test.found and test.found != test.asked:
+        lines.append(f"found:   {test.found}")
+    if test.thrown:
+        lines.append(f"instead: {test.thrown}")
+    lines += [f"with:    {text}" for note in test.notes for text in note.splitlines()]
+    lines += [f"{word + ':':<8} {test.hint[word]}" for word in ("symptom", "cause", "read") if word in test.hint]
+    return lines
 
 
 def quoted(name: str) -> str:

@@ -92,14 +92,7 @@ def details(step: verdict.Step) -> list[str]:
         return []
     test, *others = failures
     lines = [f"“{test.name}”" + (f" does not hold ({test.where})" if test.where else "")]
-    if test.asked:
-        lines.append(f"  asked:   {test.asked}")
-    if test.found and test.found != test.asked:
-        lines.append(f"  found:   {test.found}")
-    if test.thrown:
-        lines.append(f"  instead: {test.thrown}")
-    lines += [f"  with:    {text}" for note in test.notes for text in note.splitlines()]
-    lines += [f"  {word + ':':<8} {test.hint[word]}" for word in ("symptom", "cause", "read") if word in test.hint]
+    lines += ["  " + line for line in verdict.explained(test)]
     lines += [f"“{other.name}” fails too" for other in others[:6]]
     if len(others) > 6:
         lines.append(f"... and {len(others) - 6} more")

@@ -11,7 +11,7 @@ import process
 SUMMARY = "tell what this machine has and lacks"
 USAGE = "doctor"
 FOR = {need: level for level, needs in machine.NEEDS.items() for need in needs}
-PURPOSE = {"build": "", "test": "for ./lab test and check", "ci": "for .ci/run alone"}
+PURPOSE = {"build": "", "test": "for ./lab test and check", "grade": "for ./lab grade alone", "ci": "for .ci/run alone"}
 
 
 def run(arguments: list[str]) -> int:
@@ -25,7 +25,7 @@ def run(arguments: list[str]) -> int:
         print(f"{finding.name:<10} {state}" + (f", {purpose}" if finding.missing and purpose else ""))
         if finding.missing:
             missing.append(finding.name)
-    needed = [name for name in missing if FOR[name] != "ci"]
+    needed = [name for name in missing if FOR[name] in ("build", "test")]
     tool = machine.manager()
     if not missing:
         print("\nAll is here.")
