@@ -12,7 +12,7 @@ from grading import kit, mistakes, sandbox, submission, term
 from labs import ROOT
 
 SUMMARY = "grade many submissions, in a sandbox"
-USAGE = "grade SUBMISSIONS --lab NN --out DIR [--jobs N] [--seed S] [--no-pictures] [--no-mistakes] [--trust]"
+USAGE = "grade SUBMISSIONS --lab NN --out DIR"
 
 
 def run(arguments: list[str]) -> int:
