@@ -17,9 +17,11 @@ USAGE = "grade SUBMISSIONS --lab NN --out DIR"
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY)
-    parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder that holds a folder, an archive or a header for each student")
+    parser.add_argument("submissions", metavar="SUBMISSIONS", nargs="?", help="a folder that holds a folder, an archive or a header for each student")
     parser.add_argument("--lab", required=True, metavar="NN", help="the lab's number, such as 06")
-    parser.add_argument("--out", required=True, metavar="DIR", help="where the marks go; a run that was killed goes on there")
+    parser.add_argument("--out", metavar="DIR", help="where the marks go; a run that was killed goes on there")
+    parser.add_argument("--one", action="store_true", help="SUBMISSIONS is itself the only submission")
+    parser.add_argument("--prepare", action="store_true", help="only build what grading takes, and try it on the solution")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 2, help="how many at once (default: one for each processor)")
     parser.add_argument("--seed", type=int, help="of the hidden tests' inputs (default: a new one, written to DIR/run.json)")
     parser.add_argument("--no-pictures", action="store_true", help="do not build and run the lab's program with each header")
@@ -29,13 +31,23 @@ def run(arguments: list[str]) -> int:
     if wish.jobs < 1:
         raise process.Misuse("--jobs must be 1 or more")
 
+    if not wish.prepare and not (wish.submissions and wish.out):
+        raise process.Misuse("SUBMISSIONS and --out are needed")
+
     lab = student.lab_named(wish.lab)
     machine.ensure("grade")
-    everyone = term.students(pathlib.Path(wish.submissions))
+    everyone: list[term.Student] = []
+    if wish.one:
+        everyone = [term.Student("submission", "submission", pathlib.Path(wish.submissions))]
+    elif not wish.prepare:
+        everyone = term.students(pathlib.Path(wish.submissions))
     with kit.stage_folder() as stage, term.Slots(wish.jobs) as slots:
         made = kit.made(lab, pathlib.Path(stage), trust=wish.trust)
         print(f"The sandbox is {made.level}", file=sys.stderr)
         slots.use(lambda box: submission.verified(made, box))
+        if wish.prepare:
+            print(f"lab {lab.number} can be graded: the solution gets {made.scheme.total:g} points")
+            return 0
         marks = term.Term(made, pathlib.Path(wish.out).resolve(), wish.seed, not wish.no_pictures)
         print(f"The solution gets full marks: {made.scheme.total:g} points. The seed of the hidden tests is {marks.seed}", file=sys.stderr)
         if not wish.no_mistakes:

@@ -161,11 +161,25 @@ def digest_of(files: list[pathlib.Path], text: str = "") -> str:
 
 
 def stage_folder() -> tempfile.TemporaryDirectory:
-    """A folder that every user can reach, if not list."""
+    """A folder that every user can reach, if not list. Those of graders that were killed are removed."""
     base = next((path for path in (tempfile.gettempdir(), "/tmp", "/var/tmp") if _reachable(pathlib.Path(path))), None)
-    folder = tempfile.TemporaryDirectory(prefix="lantern-grade-", dir=base, ignore_cleanup_errors=True)
+    for old in pathlib.Path(base or "/tmp").glob("lantern-grade-*-*"):
+        number = old.name.split("-")[2]
+        if number.isdigit() and not _runs(int(number)) and old.stat().st_uid == os.geteuid():
+            shutil.rmtree(old, ignore_errors=True)
+    folder = tempfile.TemporaryDirectory(prefix=f"lantern-grade-{os.getpid()}-", dir=base, ignore_cleanup_errors=True)
     os.chmod(folder.name, 0o711)
     return folder
+
+
+def _runs(process_number: int) -> bool:
+    try:
+        os.kill(process_number, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        pass
+    return True
 
 
 def _reachable(path: pathlib.Path) -> bool:

@@ -56,7 +56,7 @@ def graded(kit: Kit, files: dict[str, bytes], box: Sandbox, seed: int, picture_f
         except archive.Refused as refused:
             result["status"], result["message"] = "refused", str(refused)
         finally:
-            result["left_running"] = box.group.end_all()
+            result["left_running"] = box.end_all()
     if not result["steps"]:
         result["steps"] = [failed_step(kit, i) for i in range(len(kit.lab.steps))]
     result["seconds"] = round(time.monotonic() - began, 2)
