@@ -42,6 +42,27 @@ inline float magnitude(numbers& random, float low, float high) {
 /// From 0 to n - 1.
 inline std::uint32_t below(numbers& random, std::uint32_t n) { return std::min(std::uint32_t(random.unit() * float(n)), n - 1); }
 
+/// n × n points, one in each cell of the unit square.
+inline std::vector<glm::vec2> jittered(numbers& random, int n) {
+    std::vector<glm::vec2> all;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) all.push_back((glm::vec2(x, y) + 0.999f * point(random)) / float(n));
+    return all;
+}
+
+/// Of answers that jump, such as hit or miss, two right ones may differ where rounding decides. 97 of 100 must agree.
+class agreement {
+public:
+    void count(bool same) {
+        ++all_;
+        same_ += same ? 1 : 0;
+    }
+    [[nodiscard]] bool holds() const { return all_ > 0 && same_ * 100 >= 97 * all_; }
+
+private:
+    int all_ = 0, same_ = 0;
+};
+
 /// How far an answer is from the solution's, against 1 or the solution's size, whichever is more. Infinite for NaN,
 /// unless the solution says NaN too; the same infinity is no distance.
 inline double apart(double a, double b) {

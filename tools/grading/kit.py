@@ -11,9 +11,7 @@ import shutil
 import tempfile
 from dataclasses import dataclass, field
 
-import machine
 import process
-import project
 import student
 from grading import scheme
 from grading.sandbox import MIB, Level, Limits, Sandbox, level
@@ -57,12 +55,14 @@ class Kit:
                 f"{KIT}/program/{self.lab.folder}/main.cpp", "-o", f"{OUT}/program"]
 
 
-def made(lab: Lab, stage: pathlib.Path, *, trust: bool = False, way: str | None = None, pictures: bool = True) -> Kit:
+def made(lab: Lab, stage: pathlib.Path, *, trust: bool = False, way: str | None = None) -> Kit:
     """Builds the judge and lays out the kit under `stage`, a folder that all users can reach. Refuses where students' code could
     not be isolated, unless `trust`."""
     tree = student.set_up()
     hidden = (lab.tests / "hidden.cpp").exists()
     targets = [f"{lab.name}_judge", *([f"{lab.name}_hidden"] if hidden else []), f"{lab.name}_worker_table", "lantern_worker", "lantern_probe"]
+    if hidden and f"{targets[1]}:" not in (tree / "build.ninja").read_text(encoding="utf-8"):  # written since the last configuration
+        process.need(["cmake", str(tree)], quiet=True)
     good, output = student.build(tree, *targets)
     if not good:
         raise Problem(f"the judge of lab {lab.number} does not build:\n{student.first_error(output)}")
@@ -87,10 +87,9 @@ def made(lab: Lab, stage: pathlib.Path, *, trust: bool = False, way: str | None 
     _copy((ROOT / "labs" / "support").glob("*.hpp"), folder / "program" / "support")
     _copy([stb_folder(tree) / "stb_image_write.h"], folder / "stb")
 
-    kit = Kit(lab, scheme.read(lab), folder, [student.program(tree, f"{lab.name}_judge")], compiler, program_compiler, seen,
-              (lab.tests / "gate.cpp").exists())
-    if hidden:
-        kit.judges.append(student.program(tree, f"{lab.name}_hidden"))
+    # Copies: what is built meanwhile changes no judge.
+    judges = [shutil.copy(student.program(tree, target), stage / target) for target in targets[:2 if hidden else 1]]
+    kit = Kit(lab, scheme.read(lab), folder, judges, compiler, program_compiler, seen, (lab.tests / "gate.cpp").exists())
     kit.digest = digest_of([*(path for path in sorted(folder.rglob("*")) if path.is_file()), *kit.judges], json.dumps([compiler, vars(kit.scheme)], default=vars))
     _precompile(kit, way)
     for path in folder.rglob("*"):
@@ -142,15 +141,29 @@ def _copy(files, folder: pathlib.Path, name: str = "") -> None:
 
 
 def _precompile(kit: Kit, way: str | None) -> None:
-    """What every binding begins with: half a second less for each student. Where that fails they are compiled without it."""
+    """What every binding begins with: half a second less for each student. Kept in build/grading until the compiler or a header of
+    it changes. Where it cannot be made they are compiled without it."""
+    beside = kit.folder / "support" / "contract.hpp.gch"
+    files = [pathlib.Path(kit.compiler[0]).resolve(), *(path for path in map(pathlib.Path, ("/usr/include/glm/vec3.hpp", "/usr/local/include/glm/vec3.hpp")) if path.exists())]
+    key = digest_of([kit.folder / "support" / "contract.hpp"], json.dumps([kit.compiler, *((str(file), file.stat().st_mtime_ns, file.stat().st_size) for file in files)]))
+    cache = ROOT / "build" / "grading" / f"contract-{key}.gch"
+    if cache.exists():
+        shutil.copyfile(cache, beside)
+        return
     with tempfile.TemporaryDirectory(dir=kit.folder.parent) as scratch, Sandbox(way) as box:
         os.chmod(scratch, 0o711)
         out = box.own(pathlib.Path(scratch) / "out")
-        made_header = out / "contract.hpp.gch"
-        done = box.run([*kit.compiler, f"-I{KIT}/support", "-x", "c++-header", f"{KIT}/support/contract.hpp", "-o", f"{OUT}/{made_header.name}"],
+        done = box.run([*kit.compiler, f"-I{KIT}/support", "-x", "c++-header", f"{KIT}/support/contract.hpp", "-o", f"{OUT}/{beside.name}"],
                        Limits(cpu=60, wall=120, memory=2048 * MIB, file_size=256 * MIB), readable=kit.seen, writable={OUT: out}, system=True)
-        if done.status == 0 and made_header.exists():
-            shutil.copyfile(made_header, kit.folder / "support" / made_header.name)
+        if done.status != 0 or not (out / beside.name).exists():
+            return
+        shutil.copyfile(out / beside.name, beside)
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    for old in cache.parent.glob("contract-*.gch"):
+        old.unlink(missing_ok=True)
+    new = cache.with_suffix(f".{os.getpid()}")
+    shutil.copyfile(beside, new)
+    new.replace(cache)
 
 
 def digest_of(files: list[pathlib.Path], text: str = "") -> str:
