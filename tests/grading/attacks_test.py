@@ -103,7 +103,7 @@ class Attacks(unittest.TestCase):
         cls.addClassCleanup(cls.abstract.close)
         with Sandbox() as box:
             cls.kit = submission.verified(kit.made(LAB, stage), box)
-        cls.kit.scheme.call, cls.kit.scheme.case, cls.kit.scheme.step = SECONDS, 2 * SECONDS, 60
+        cls.kit.scheme.call = SECONDS
         # Smaller limits than students have, for the attacks that go to them.
         submission.COMPILING = dataclasses.replace(kit.COMPILING, cpu=12, wall=40)
         submission.WORKING = dataclasses.replace(kit.WORKING, memory=256 << 20)
@@ -112,12 +112,11 @@ class Attacks(unittest.TestCase):
         cls.words = {"@ROOT@": str(ROOT), "@OUT@": str(cls.out), "@PORT@": str(cls.server.getsockname()[1]), "@PID@": str(os.getpid()),
                      "@ABSTRACT@": f"lantern-{os.getpid()}", "@SECRET@": SECRET, "@LIST@": ", ".join(f"{each}u" for each in known)}
         slots = threading.local()
-        numbers = iter(range(100))
 
         def grade(name: str) -> dict:
             if not hasattr(slots, "box"):
-                slots.box = Sandbox(slot=next(numbers))
-                cls.addClassCleanup(slots.box.group.remove)
+                slots.box = Sandbox()
+                cls.addClassCleanup(slots.box.close)
             result = submission.graded(cls.kit, cls.files(name), slots.box, seed=20261125)
             result["left"] = left_of(slots.box)
             return result
@@ -190,6 +189,38 @@ class Attacks(unittest.TestCase):
             self.assertTrue(any("LEAK" in line for test in tests if not test["hidden"] for line in test["says"]))
             self.assertFalse([test["says"] for test in tests if test["hidden"] and test["says"]])
             self.assertTrue(all(line.isprintable() and len(line) < 400 for test in tests for line in test["says"]))
+
+    def test_promises_that_the_compiler_checks_refuse_and_give_nothing(self):
+        gate = self.kit.folder / "lab" / "gate.cpp"
+        try:
+            self.kit.gate = True
+            for promise, status in (("true", "graded"), ("noexcept(lab06::basis({}))", "refused")):
+                gate.write_text(f'#include <{LAB.folder}/{LAB.header}>\nstatic_assert({promise}, "basis must not throw");\n')
+                with Sandbox() as box:
+                    result = submission.graded(self.kit, self.files("00_baseline"), box, seed=1)
+                self.assertEqual((result["status"], result["score"]), (status, 0))
+                self.assertEqual("basis must not throw" in result["message"], status == "refused")
+        finally:
+            self.kit.gate = False
+            gate.unlink()
+
+    def test_without_isolation_nothing_runs_that_is_not_trusted(self):
+        with tempfile.TemporaryDirectory(dir=self.stage.name) as name:
+            os.chmod(name, 0o711)
+            for trust in (False, True):
+                folder = pathlib.Path(name) / str(trust)
+                folder.mkdir(mode=0o711)
+                if not trust:
+                    with self.assertRaises(labs.Problem) as caught:
+                        kit.made(LAB, folder, way="limits")
+                    self.assertIn("NOT ISOLATED", str(caught.exception))
+                    self.assertEqual(list(folder.iterdir()), [])
+                else:
+                    with Sandbox("limits") as box:
+                        made = submission.verified(kit.made(LAB, folder, way="limits", trust=True), box)
+                        self.assertFalse(made.level.isolated)
+                        self.assertIn("without: no network", str(made.level))
+                        self.assertEqual(submission.graded(made, self.files("00_baseline"), box, seed=1)["score"], 0)
 
     def test_the_judge_holds_no_student_code(self):
         symbols = subprocess.run(["nm", "-C", str(self.kit.judges[0])], capture_output=True, text=True, check=True).stdout

@@ -20,6 +20,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 
 import labs  # noqa: E402
 import ppm_to_png  # noqa: E402
+from commands import release  # noqa: E402
 from grading import archive, kit, macros, mistakes, overview, pictures, report, scheme, term  # noqa: E402
 from grading.sandbox import Level  # noqa: E402
 
@@ -284,6 +285,44 @@ class Mistakes(unittest.TestCase):
         self.assertEqual(self.found("a", "b", "c", "d"), ["large or twin", "other"])
         self.assertEqual(self.found("c"), [])
         self.assertEqual(self.found("c", "d", "a", gaps="a"), ["other"])
+
+
+class Release(Scratch):
+    """The students' copy, and the proof that it holds no answers."""
+
+    def setUp(self):
+        super().setUp()
+        self.out = self.folder / "students"
+        self.chosen = [lab for lab in labs.all_labs() if lab.number in ("01", "06")]
+        try:
+            release.copy(self.chosen, self.out)
+        except labs.Problem as problem:  # no git, no checkout
+            self.skipTest(str(problem))
+
+    def test_it_holds_starters_and_no_answers(self):
+        self.assertEqual(release.leaks(self.out, self.chosen), [])
+        self.assertTrue((self.out / "labs" / LAB.folder / LAB.header).exists())
+        for name in ("solutions", "grading", "tests/labs/lab06_glossy/mutants", "tests/labs/lab06_glossy/hidden.cpp", "labs/lab02_surfaces", ".git", "docs/instructors.md"):
+            self.assertFalse((self.out / name).exists(), name)
+        self.assertNotIn("axis_not_normalised", (self.out / "tests/labs/CMakeLists.txt").read_text(encoding="utf-8"))
+
+    def test_whatever_leaks_is_found(self):
+        region = release.regions(LAB.solution_file.read_text(encoding="utf-8"))[0]
+        for name, text in (("docs/notes.txt", "\n".join("  " + line.strip() + " // mine" for line in region.splitlines())), ("mutants/x.mutant", "who: me"), ("solutions/a.hpp", ""),
+                           (".git/config", ""), (f"labs/{LAB.folder}/{LAB.header}", "int x;"), ("a.cpp", (LAB.tests / "hidden.cpp").read_text(encoding="utf-8"))):
+            with self.subTest(name):
+                file = self.out / name
+                before = file.read_bytes() if file.exists() else None
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(text, encoding="utf-8")
+                self.assertTrue(release.leaks(self.out, self.chosen))
+                if before is None:
+                    file.unlink()
+                    if name.startswith(("solutions", ".git")):
+                        file.parent.rmdir()
+                else:
+                    file.write_bytes(before)
+        self.assertEqual(release.leaks(self.out, self.chosen), [])
 
 
 if __name__ == "__main__":

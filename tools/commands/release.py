@@ -14,7 +14,7 @@ SUMMARY = "write the students' repository: no solutions, mutants or hidden tests
 USAGE = "release DIR [--labs NN...] [--no-build]"
 
 # What a course keeps for itself.
-KEPT = re.compile(r"solutions/|grading/|tests/grading/|tools/grading/|tests/labs/[^/]+/(mutants/|hidden\.cpp)|labs/[^/]+/grading\.json|\.ci/|"
+KEPT = re.compile(r"solutions/|grading/|tests/support/hidden\.hpp|tests/grading/|tools/grading/|tests/labs/[^/]+/(mutants/|hidden\.cpp)|labs/[^/]+/grading\.json|\.ci/|"
                   r"tests/labs/(tools|loop)_test\.py|tools/lab_test\.py|tools/commands/(grade|pack|release|mutants|starters)\.py|docs/(labs|instructors)\.md")
 
 
@@ -101,11 +101,10 @@ def leaks(out: pathlib.Path, chosen: list[labs.Lab]) -> list[str]:
             code = squeezed(region)
             if len(code) >= 60:  # one that is shorter is no secret: any header may hold `return a + b;`
                 secrets[code] = f"region {number} of lab {lab.number}'s solution"
-        for file in [*(lab.tests / "mutants").glob("*.mutant"), lab.tests / "hidden.cpp"]:
-            if file.exists():
-                for piece in re.findall(r'"([^"\n]{12,})", "\[step|^caught by: .*', file.read_text(encoding="utf-8"), re.MULTILINE):
-                    if piece:
-                        secrets[squeezed(piece)] = f"a hidden test of lab {lab.number}"
+        for mutant in (lab.tests / "mutants").glob("*.mutant"):
+            for line in re.findall(r"^(?:caught by|who): .{20,}", mutant.read_text(encoding="utf-8"), re.MULTILINE):
+                secrets[squeezed(line)] = f"the mutant {mutant.stem} of lab {lab.number}"
+    secrets["hidden::drawn("] = "a hidden test"
     for path in sorted(out.rglob("*")):
         name = path.relative_to(out).as_posix()
         if ".git" in path.relative_to(out).parts or path.suffix == ".mutant" or path.name == "hidden.cpp" or name.startswith("solutions"):

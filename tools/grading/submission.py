@@ -127,8 +127,8 @@ def taken(made: pathlib.Path, to: pathlib.Path) -> pathlib.Path:
 def explained(kit: Kit, printed: str, status: int | None) -> str:
     if status is None:
         return "The header takes too long to compile, or the compiler prints without end."
-    if "error:" not in printed and re.search(r"Killed|File size limit|out of memory|cannot allocate|terminate called|internal compiler error|virtual memory exhausted|"
-                                             r"final link failed|CPU time limit|file truncated|No space left", printed, re.IGNORECASE):
+    if not re.search("error:|undefined reference", printed, re.IGNORECASE) or re.search(r"File size limit|out of memory|cannot allocate|virtual memory exhausted|internal compiler error|Killed signal|No space left",
+                                            printed, re.IGNORECASE):
         return "The header takes more time, memory or space to compile than it may."
     text = archive.plain_lines(printed.replace(f"{CODE}/", "labs/").replace(f"{KIT}/lab/", f"tests/labs/{kit.lab.folder}/"))
     text = text.replace(f"{KIT}/include/", "include/").replace(f"{KIT}/support/", "tests/support/")

@@ -26,7 +26,7 @@ class Slots:
 
     def __init__(self, count: int, way: str | None = None):
         self.free: queue.SimpleQueue[tuple[Sandbox, int]] = queue.SimpleQueue()
-        self.boxes = [Sandbox(way, slot) for slot in range(count)]
+        self.boxes = [Sandbox(way) for _ in range(count)]
         processors = sorted(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else []
         for i, box in enumerate(self.boxes):
             self.free.put((box, processors[i % len(processors)] if processors else -1))
@@ -36,7 +36,7 @@ class Slots:
 
     def __exit__(self, *_) -> None:
         for box in self.boxes:
-            box.group.remove()
+            box.close()
 
     def use(self, work):
         box, processor = self.free.get()
