@@ -29,7 +29,7 @@ ATTACKS = pathlib.Path(__file__).parent / "attacks"
 LAB = labs.find("06")
 HELPERS = {"wrong", "only_wrong", "either"}
 SECRET = "lantern-secret-5d1f"
-SECONDS = 3  # a call, in the place of 10 s: an honest one takes microseconds
+SECONDS = 2  # a call, in the place of 10 s: an honest one takes microseconds
 
 # What is no attack, or costs but one step: the points of each step.
 EARN = {"00_control": [10, 10, 10, 10, 10], "18_endless_loop": [0, 10, 10, 10, 10], "31_honest": [10, 10, 10, 10, 10]}
