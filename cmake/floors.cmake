@@ -29,10 +29,12 @@ set(LANTERN_FLOOR_1
   aabb
   bounding_sphere
   bounding_volume
+  box_ray
   boxes_of
   camera
   filter
   hull
+  moving_aabb
   moving_camera
   obb
   pfm

@@ -31,6 +31,13 @@ concept bounded = requires(const S& s) {
     { bounds(s) } -> std::same_as<aabb>;
 };
 
+/// The box of a surface at time 0 or 1, for boxes that are interpolated: at times between the surface must lie within the box
+/// between, without rounding. What does not move along a straight line stays in its whole box all the time.
+template <bounded S>
+[[nodiscard]] aabb bounds_at(const S& s, float /*time*/) {
+    return bounds(s);
+}
+
 /// No point lies in it: some min > max, or NaN. A flat box is not empty, nor is a single point.
 [[nodiscard]] inline bool empty(const aabb& box) {
     return !(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);

@@ -49,6 +49,11 @@ template <bounded... Surfaces>
 }
 
 template <bounded... Surfaces>
+[[nodiscard]] aabb bounds_at(const any_of<Surfaces...>& s, float time) {
+    return std::visit([&](const auto& which) { return bounds_at(which, time); }, s.value);
+}
+
+template <bounded... Surfaces>
 [[nodiscard]] hull hull_of(const any_of<Surfaces...>& s) {
     return std::visit([](const auto& which) { return hull_of(which); }, s.value);
 }

@@ -8,7 +8,6 @@
 #include <lantern/bvh_layout.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/interval.hpp>
-#include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
 
 #include <array>
@@ -54,34 +53,70 @@ public:
         nodes_ = std::move(layout.nodes());
     }
 
-    /// See the concept `accelerator`. Of two children the one on the ray's near side comes first, and a node is looked
-    /// at only when its turn comes: by then a closer hit may have cut it off.
-    template <class Offer, class Probe = no_probe>
-    void traverse(const ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
+    /// See the concept `accelerator`. Both children are looked at together; the nearer one comes first, and the other one waits.
+    /// By the time its turn comes, a closer hit may have cut it off.
+    template <std::derived_from<ray> Ray, class Offer, class Probe = no_probe>
+        requires std::constructible_from<volume_ray<Volume>, const Ray&, interval, const Volume&>
+    void traverse(const Ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         if (nodes_.empty() || empty(range)) return;
-        const auto prepared = [&] {
-            if constexpr (std::same_as<Volume, aabb>) return slab_ray(r);
-            else return precise::widen(r);
-        }();
-        std::array<std::uint32_t, 65> waiting;  // one sibling a level, and the root
+        volume_ray<Volume> way(r, range, nodes_[0].volume);
+        struct sibling {
+            std::uint32_t at;
+            float entry;
+        };
+        std::array<sibling, 64> waiting;  // one a level
         std::size_t count = 0;
-        waiting[count++] = 0;
-        while (count > 0) {
-            const node& n = nodes_[waiting[--count]];
-            counter.node();
-            if (!overlaps(n.volume, prepared, range)) continue;
+        std::uint32_t at = 0;
+        float entry, entry_of_second;
+        counter.node();
+        if (!way.meets(nodes_[0].volume, entry)) return;
+        while (true) {
+            const node& n = nodes_[at];
             if (n.size == 0) {
-                const bool forward = r.direction[int(n.axis)] >= 0;
-                waiting[count++] = forward ? n.first + 1 : n.first;
-                waiting[count++] = forward ? n.first : n.first + 1;
-                continue;
-            }
-            for (std::uint32_t i = n.first; i < n.first + n.size; ++i) {
-                counter.offer();
-                range = offer(indices_[i], range);
+                counter.node();
+                counter.node();
+                const bool first = way.meets(nodes_[n.first].volume, entry);
+                const bool second = way.meets(nodes_[n.first + 1].volume, entry_of_second);
+                // Written as branches: the processor guesses which way it goes, and fetches that child, while it computes.
+                if (first) {
+                    at = n.first;
+                    if (second) {
+                        if (way.second_first(entry, entry_of_second, n.axis)) {
+                            waiting[count++] = {n.first, entry};
+                            at = n.first + 1;
+                        } else {
+                            waiting[count++] = {n.first + 1, entry_of_second};
+                        }
+                    }
+                    continue;
+                }
+                if (second) {
+                    at = n.first + 1;
+                    continue;
+                }
+            } else {
+                range = offer_each(std::span(indices_).subspan(n.first, n.size), range, offer, counter);
                 if (empty(range)) return;
+                way.shorten(range.max);
             }
+            do {
+                if (count == 0) return;
+                at = waiting[--count].at;
+            } while (!way.still_meets(nodes_[at].volume, waiting[count].entry));
         }
+    }
+
+    /// The surfaces in the order of the leaves: those that are looked at together then lie together in memory, which is a third
+    /// of the time in large scenes. From now on the tree offers places in *that* order. What was left out is not in it.
+    template <std::ranges::random_access_range Surfaces>
+    [[nodiscard]] auto put_in_order(const Surfaces& surfaces) {
+        std::vector<std::ranges::range_value_t<Surfaces>> sorted;
+        sorted.reserve(indices_.size());
+        for (std::uint32_t& i : indices_) {
+            sorted.push_back(std::ranges::begin(surfaces)[i]);
+            i = static_cast<std::uint32_t>(sorted.size() - 1);
+        }
+        return sorted;
     }
 
     /// How many surfaces the tree was built over.

@@ -3,6 +3,7 @@
 // The closest hit of a ray with many surfaces, through any acceleration structure, or through none.
 
 #include <lantern/interval.hpp>
+#include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
 #include <lantern/surface.hpp>
 
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <ranges>
+#include <span>
 
 namespace lantern {
 
@@ -51,6 +53,17 @@ struct every {
     }
 };
 
+/// For structures: offers the surfaces of a leaf until nothing remains of the range, and says what does.
+template <class Offer, class Probe>
+[[nodiscard]] interval offer_each(std::span<const std::uint32_t> leaf, interval range, Offer& offer, Probe& counter) {
+    for (const std::uint32_t i : leaf) {
+        counter.offer();
+        range = offer(i, range);
+        if (empty(range)) break;
+    }
+    return range;
+}
+
 /// A hit, and which surface it is on.
 struct nearest : hit {
     std::uint32_t index = 0;
@@ -71,28 +84,31 @@ void traverse(const A& structure, const Ray& r, interval range, Offer&& offer, P
 
 /// The first hit of the ray within the range. Of two surfaces at the same t the one with the smaller index is taken,
 /// so the answer does not depend on the structure, nor on the order in which it offers.
-template <accelerator A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
-    requires surface<std::ranges::range_value_t<Surfaces>, Ray>
+template <class A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
+    requires(accelerator<A, Ray> && surface<std::ranges::range_value_t<Surfaces>, Ray>)
 [[nodiscard]] std::optional<nearest> closest(const A& structure, const Surfaces& surfaces, const Ray& r,
                                              interval range = {}, Probe&& counter = {}) {
     std::optional<nearest> best;
+    const auto ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
     traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
-        const auto h = intersect(std::ranges::begin(surfaces)[i], r, remaining);
+        const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         if (!h || !contains(remaining, h->t)) return remaining;  // an answer outside the range, or NaN, is none
-        if (!best || h->t < best->t || (h->t == best->t && i < best->index)) best = nearest{*h, i};
+        const nearest found{rounded(*h), i};
+        if (!best || found.t < best->t || (found.t == best->t && i < best->index)) best = found;
         return {remaining.min, best->t};
     }, counter);
     return best;
 }
 
 /// Whether anything at all is hit within the range: the shadow ray's question. Stops at the first hit found.
-template <accelerator A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
-    requires surface<std::ranges::range_value_t<Surfaces>, Ray>
+template <class A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
+    requires(accelerator<A, Ray> && surface<std::ranges::range_value_t<Surfaces>, Ray>)
 [[nodiscard]] bool occluded(const A& structure, const Surfaces& surfaces, const Ray& r, interval range,
                             Probe&& counter = {}) {
     bool found = false;
+    const auto ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
     traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
-        const auto h = intersect(std::ranges::begin(surfaces)[i], r, remaining);
+        const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         found = found || (h && contains(remaining, h->t));
         return found ? interval{0, 0} : remaining;
     }, counter);

@@ -92,11 +92,8 @@ public:
                 if (!(near_leaves < enter)) waiting[count++] = {near, enter, near_leaves < leave ? near_leaves : leave};
                 continue;
             }
-            for (std::uint32_t i = n.first; i < n.first + n.size; ++i) {
-                counter.offer();
-                range = offer(entries_[i], range);
-                if (empty(range)) return;
-            }
+            range = offer_each(std::span(entries_).subspan(n.first, n.size), range, offer, counter);
+            if (empty(range)) return;
         }
     }
 

@@ -68,6 +68,12 @@ template <bounded Surface>
     return enclose(open, moved(open, m.displacement));
 }
 
+/// At time 0 or 1.
+template <bounded Surface>
+[[nodiscard]] aabb bounds_at(const moving<Surface>& m, float time) {
+    return moved(bounds_at(m.surface, time), time * m.displacement);
+}
+
 /// Between where it is when the shutter opens and when it closes.
 template <bounded Surface>
 [[nodiscard]] hull hull_of(const moving<Surface>& m) {

@@ -45,6 +45,11 @@ template <bounded Shape, class Material>
 }
 
 template <bounded Shape, class Material>
+[[nodiscard]] aabb bounds_at(const object<Shape, Material>& o, float time) {
+    return bounds_at(o.shape, time);
+}
+
+template <bounded Shape, class Material>
 [[nodiscard]] hull hull_of(const object<Shape, Material>& o) {
     return hull_of(o.shape);
 }

@@ -3,6 +3,7 @@
 // An octree over anything that is bounded: space is halved along all three axes at once, where it is crowded.
 
 #include <lantern/aabb.hpp>
+#include <lantern/box_ray.hpp>
 #include <lantern/boxes_of.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/interval.hpp>
@@ -61,7 +62,8 @@ public:
     template <class Offer, class Probe = no_probe>
     void traverse(const ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         if (nodes_.empty() || empty(range)) return;
-        const slab_ray prepared(r);
+        box_ray way(r, range, reach_of(nodes_[0].box));
+        float entry;
         std::uint32_t backwards = 0;
         for (int i = 0; i < 3; ++i) backwards |= std::uint32_t{r.direction[i] < 0} << i;
         std::array<std::uint32_t, 8 + 7 * 32> waiting;  // of each level at most seven siblings
@@ -70,7 +72,7 @@ public:
         while (count > 0) {
             const node& n = nodes_[waiting[--count]];
             counter.node();
-            if (!overlaps(n.box, prepared, range)) continue;
+            if (!way.meets(n.box, entry)) continue;
             if (n.octants != 0) {
                 for (std::uint32_t i = 8; i-- > 0;) {  // the last comes first on the stack
                     const std::uint32_t octant = i ^ backwards, below = (1u << octant) - 1;
@@ -78,11 +80,9 @@ public:
                 }
                 continue;
             }
-            for (std::uint32_t i = n.first; i < n.first + n.size; ++i) {
-                counter.offer();
-                range = offer(entries_[i], range);
-                if (empty(range)) return;
-            }
+            range = offer_each(std::span(entries_).subspan(n.first, n.size), range, offer, counter);
+            if (empty(range)) return;
+            way.shorten(range.max);
         }
     }
 

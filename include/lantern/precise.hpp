@@ -60,6 +60,15 @@ concept precise_surface = requires(const S& s, const Ray& r, interval range) {
 [[nodiscard]] inline hit rounded(const precise::hit& h) {
     return {static_cast<float>(h.t), glm::vec3(h.point), glm::vec3(h.normal), static_cast<float>(h.error)};
 }
+[[nodiscard]] inline hit rounded(const hit& h) { return h; }
+
+/// What a ray is turned into before it meets many surfaces of one type: itself, unless the type names a `ready_ray` in which
+/// part of the work is done already.
+template <class S, class Ray>
+[[nodiscard]] auto ready_for(const Ray& r) {
+    if constexpr (requires { typename S::ready_ray; }) return typename S::ready_ray(r);
+    else return r;
+}
 
 /// A precise surface meets an ordinary ray: widened, intersected in double, rounded once.
 template <class S, std::derived_from<ray> Ray>

@@ -10,20 +10,31 @@
 #include <lantern/precise.hpp>
 #include <lantern/validate.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace lantern {
+
+namespace precise {
+
+struct triangle_ray;
+
+}  // namespace precise
 
 /// The normal points to where a, b, c are seen counter-clockwise. No ray passes between triangles that share an edge or a
 /// vertex: the same two or three points, in any order.
 struct triangle {
     glm::vec3 a{0}, b{0}, c{0};
+
+    using ready_ray = precise::triangle_ray;
 };
 
 inline void validate(const triangle& t) {
@@ -42,6 +53,29 @@ namespace precise {
 /// the ray and the vertex alone, so that neighbouring triangles see the same.
 struct sheared {
     double x, y, z;
+};
+
+/// A ray made ready to be tested against many triangles.
+struct triangle_ray : ray {
+    std::ptrdiff_t kx, ky, kz;  ///< the axes; z is the one along which the direction is longest
+    double sx, sy, sz;          ///< the shear
+    double ox, oy, oz;          ///< the origin along these axes
+
+    explicit triangle_ray(const ray& r) : ray(r) {
+        const glm::dvec3 length = glm::abs(direction);
+        const int z = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
+        const int x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
+        sz = 1 / direction[z], sx = -direction[x] * sz, sy = -direction[y] * sz;
+        ox = origin[x], oy = origin[y], oz = origin[z];
+        kx = x, ky = y, kz = z;
+    }
+    explicit triangle_ray(const lantern::ray& r) : triangle_ray(widen(r)) {}
+
+    [[nodiscard, gnu::always_inline]] sheared operator()(const glm::vec3& vertex) const {
+        const float* const v = glm::value_ptr(vertex);  // vertex[kx] would ask which one it is
+        const double z = v[kz] - oz;
+        return {multiply_add(sx, z, v[kx] - ox), multiply_add(sy, z, v[ky] - oy), z};
+    }
 };
 
 /// e1 × e2 for the edges from a, in double-double.
@@ -80,40 +114,38 @@ struct plane_hit {
 /// intersection", JCGT 2(1), 2013), in double: the sign of an edge never differs between the two triangles that share it.
 /// t comes from the plane. No triangle is too small: only a determinant of 0 is a miss. (Inlined always,
 /// for the widened numbers to stay in registers.)
-[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r,
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::triangle_ray& r,
                                                                                interval range) {
-    const glm::dvec3 a(s.a), b(s.b), c(s.c), d = r.direction, length = glm::abs(d);
-    const int kz = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
-    const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-    const double sz = 1 / d[kz], sx = -d[kx] * sz, sy = -d[ky] * sz;
-    const auto shear = [&](const glm::dvec3& v) -> precise::sheared {
-        const glm::dvec3 p = v - r.origin;
-        return {multiply_add(sx, p[kz], p[kx]), multiply_add(sy, p[kz], p[ky]), p[kz]};
-    };
-    const precise::sheared A = shear(a), B = shear(b), C = shear(c);
+    const precise::sheared A = r(s.a), B = r(s.b), C = r(s.c);
     const double u = difference_of_products(C.x, B.y, C.y, B.x);
     const double v = difference_of_products(A.x, C.y, A.y, C.x);
     const double w = difference_of_products(B.x, A.y, B.y, A.x);
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
+    const double least = std::min(std::min(u, v), w), most = std::max(std::max(u, v), w);
+    if (std::min(-least, most) > 0) return std::nullopt;  // one is below 0 and one above
     const double sum = u + v + w;
     if (!(sum != 0)) return std::nullopt;
     const double per_sum = 1 / sum, wa = u * per_sum, wb = v * per_sum, wc = w * per_sum;
 
-    const glm::dvec3 e1 = b - a, e2 = c - a, to = a - r.origin, n = glm::cross(e1, e2);
+    const glm::dvec3 a(s.a), b(s.b), c(s.c), d = r.direction, e1 = b - a, e2 = c - a, to = a - r.origin, n = glm::cross(e1, e2);
     const double above = glm::dot(n, to), speed = glm::dot(n, d);
     const double scale = 0x1p-15 * precise::size(e1) * precise::size(e2);
     precise::plane_hit p{above / speed, n};
     if (!(std::abs(above) > scale * precise::size(to) && std::abs(speed) > scale * precise::size(d))) {
-        const auto [nearest, farthest] = std::minmax({A.z * sz, B.z * sz, C.z * sz});
+        const auto [nearest, farthest] = std::minmax({A.z * r.sz, B.z * r.sz, C.z * r.sz});
         // Behind the origin for certain: most often the very triangle that the ray has just left.
         const bool sure = std::abs(above) > 0x1p-30 * scale * precise::size(to) && std::abs(speed) > 0x1p-30 * scale * precise::size(d);
         if (sure && (above < 0) != (speed < 0) && nearest <= 0 && range.min >= 0) return std::nullopt;
-        p = meet_plane_in_doubt(s, precise::ray(r), wa * (A.z * sz) + wb * (B.z * sz) + wc * (C.z * sz), nearest, farthest);
+        p = meet_plane_in_doubt(s, r, wa * (A.z * r.sz) + wb * (B.z * r.sz) + wc * (C.z * r.sz), nearest, farthest);
     }
     if (!contains(range, p.t)) return std::nullopt;
     const glm::dvec3 largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
     const double error = 0x1p-50 * (largest.x + largest.y + largest.z);
     return precise::hit{p.t, wa * a + wb * b + wc * c, p.normal / glm::length(p.normal), error};
+}
+
+/// A ray that meets one triangle only.
+[[nodiscard]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r, interval range) {
+    return intersect(s, precise::triangle_ray(r), range);
 }
 
 }  // namespace lantern

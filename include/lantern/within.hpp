@@ -56,6 +56,11 @@ template <class Volume, bounded Surface>
 }
 
 template <class Volume, bounded Surface>
+[[nodiscard]] aabb bounds_at(const within<Volume, Surface>& s, float time) {
+    return bounds_at(s.surface, time);
+}
+
+template <class Volume, bounded Surface>
 [[nodiscard]] hull hull_of(const within<Volume, Surface>& s) {
     return hull_of(s.surface);
 }
