@@ -36,7 +36,7 @@ public:
         const double scale = 1 / per_unit_;
         for (int i = 0; i < 3; ++i) {
             const bool forward = !(d[i] < 0);
-            const double shift = all < 0x1p126 ? 0x1p-22 * away[i] + (0x1p-34 * all + rounded + 0x1p-146) : infinity;
+            const double shift = all < 0x1p126 ? 0x1p-22 * away[i] + (0x1p-34 * all + rounded) : infinity;
             const double q = forward ? shift : -shift, per_length = 1 / std::max(0x1p-60, length[i] * scale);  // in this order for NaN
             near_origin_[i] = static_cast<float>(o[i] + q);
             far_origin_[i] = static_cast<float>(o[i] - q);
@@ -51,7 +51,7 @@ public:
 
     /// From now on, only what is met up to t = `max` counts.
     void shorten(float max) {
-        const double far = (max - start_ - 0x1p-20 * start_) * per_unit_;  // where a hit's t is less than start_, it is rounded more
+        const double far = (max - start_ - 0x1p-23 * start_ + 0x1p-149) * per_unit_;  // a hit's t may have been rounded down to max
         far_ = far < infinity ? static_cast<float>(far) * longer : infinity;
     }
 
