@@ -2,7 +2,7 @@
 // How fast a ray finds what it hits, and how often it finds the wrong thing: the library's structures, and Embree where it is
 // installed, over the same surfaces and rays, in turns.
 //     trace [--triangles N,... | --sweep] [--scene NAME,...] [--structure NAME,...] [--rays N] [--rounds N] [--threads N,...]
-//           [--models FOLDER] [--obj FILE] [--csv | --json] [--check]
+//           [--models FOLDER] [--obj FILE] [--csv | --json] [--save FILE] [--check]
 
 #include "command_line.hpp"
 #include "trace/contenders.hpp"
@@ -29,7 +29,7 @@ namespace {
 struct options : bench::output {
     std::vector<std::uint32_t> sizes{200'000};
     std::vector<std::string> scenes, structures;  // none: all
-    std::string models, obj;
+    std::string models, obj, save;
     trace::effort how;
 };
 
@@ -96,7 +96,7 @@ bool passes(const std::vector<trace::row>& rows) {
 }
 
 options parse(int argc, char** argv) {
-    const std::string own = "--triangles N,..., --sweep, --scene NAME,..., --structure NAME,..., --rays N, --rounds N, --threads N,..., --models FOLDER, "
+    const std::string own = "--triangles N,..., --sweep, --scene NAME,..., --structure NAME,..., --rays N, --rounds N, --threads N,..., --models FOLDER, --save FILE, "
                             "--obj FILE (with tinyobjloader)";
     return bench::parse<options>(argc, argv, own, [](options& o, std::string_view word, auto next) {
         const auto numbers = [&](auto& list) {
@@ -112,6 +112,7 @@ options parse(int argc, char** argv) {
         else if (word == "--rounds") o.how.rounds = bench::number<std::uint32_t>(word, next(), 1);
         else if (word == "--threads") numbers(o.how.threads);
         else if (word == "--models") o.models = next();
+        else if (word == "--save") o.save = next();
 #if defined(LANTERN_HAS_OBJ)
         else if (word == "--obj") o.obj = next();
 #endif
@@ -129,6 +130,7 @@ int main(int argc, char** argv) {
         if (wish.json) trace::print_json(rows);
         else if (wish.csv) trace::print_csv(rows);
         else trace::print_table(rows);
+        if (!wish.save.empty()) trace::save_json(rows, wish.save);
         return !wish.check || passes(rows);
     });
 }

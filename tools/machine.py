@@ -5,36 +5,42 @@ import hashlib
 import os
 import re
 import shutil
+import sys
 from dataclasses import dataclass, field
 
 import process
 from labs import Problem
 from process import ROOT
 
-# What each part of the work needs. Each needs all that stands before it, too.
+# What each part of the work needs, and the part that it stands on.
 NEEDS = {
     "build": ["compiler", "cmake", "ninja", "glm", "stb"],
     "test": ["catch2"],
     "grade": ["bubblewrap"],
     "ci": ["clang", "tinyobj"],
+    "bench": ["embree", "matplotlib", "npm"],
 }
+STANDS_ON = {"test": "build", "grade": "test", "ci": "grade", "bench": "build"}
 
 PACKAGES = {
     "apt": {"compiler": "g++", "cmake": "cmake", "ninja": "ninja-build", "glm": "libglm-dev", "stb": "libstb-dev",
-            "catch2": "catch2", "bubblewrap": "bubblewrap", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev"},
+            "catch2": "catch2", "bubblewrap": "bubblewrap", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev",
+            "embree": "libembree-dev", "matplotlib": "python3-matplotlib", "npm": "npm"},
     "dnf": {"compiler": "gcc-c++", "cmake": "cmake", "ninja": "ninja-build", "glm": "glm-devel",
             "stb": "stb_image_write-devel", "catch2": "catch-devel", "bubblewrap": "bubblewrap", "clang": "clang",
-            "tinyobj": "tinyobjloader-devel"},
+            "tinyobj": "tinyobjloader-devel", "matplotlib": "python3-matplotlib", "npm": "npm"},
     "pacman": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "stb": "stb", "catch2": "catch2",
-               "bubblewrap": "bubblewrap", "clang": "clang", "tinyobj": "tinyobjloader"},
+               "bubblewrap": "bubblewrap", "clang": "clang", "tinyobj": "tinyobjloader", "matplotlib": "python-matplotlib", "npm": "npm"},
     "brew": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "catch2": "catch2", "clang": "llvm",
-             "tinyobj": "tinyobjloader"},
+             "tinyobj": "tinyobjloader", "matplotlib": "python-matplotlib", "npm": "node"},
 }
 
 # What we do without where no package brings it: CMake fetches the first three at a pinned commit.
 SPARED = {"glm": "CMake will fetch its sources", "stb": "CMake will fetch its sources",
           "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out",
-          "bubblewrap": "./lab grade then refuses what it is not told to trust"}
+          "bubblewrap": "./lab grade then refuses what it is not told to trust",
+          "embree": "./lab bench trace does without", "matplotlib": "./lab bench trace --plot does not work",
+          "npm": "./lab bench trace --dragon does not work"}
 
 MINIMUM = {"cmake": (3, 25)}
 CLANGS = ["clang++-16", "clang++", "clang++-20", "clang++-19", "clang++-18", "clang++-17", "clang++-15", "clang++-14"]
@@ -53,6 +59,9 @@ found_stb
 #endif
 #if __has_include(<tiny_obj_loader.h>)
 found_tinyobj
+#endif
+#if __has_include(<embree3/rtcore.h>)
+found_embree
 #endif
 #if __has_include(<catch2/catch_test_macros.hpp>) || __has_include(<catch2/catch.hpp>)
 found_catch2
@@ -119,10 +128,18 @@ def clang() -> str | None:
     return next((path for name in CLANGS if (path := shutil.which(name))), None)
 
 
-def look(level: str = "ci") -> list[Finding]:
-    """What was found of all that a level of work needs."""
+def plotter() -> str | None:
+    """A Python that has matplotlib: this one, or the system's."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if process.capture([python, "-c", "import matplotlib"])[0] == 0:
+            return python
+    return None
+
+
+def look(*levels: str) -> list[Finding]:
+    """What was found of all that these levels of work need."""
     findings = []
-    needs = wanted(level)
+    needs = list(dict.fromkeys(need for level in levels for need in wanted(level)))
     cxx = compiler()
     probe = process.capture([cxx, "-std=c++20", "-x", "c++", "-E", "-P", "-"], PROBE)[1] if cxx else ""
     for need in needs:
@@ -150,6 +167,10 @@ def look(level: str = "ci") -> list[Finding]:
             path = clang()
             if path:
                 finding.found = process.capture([path, "--version"])[1].splitlines()[0]
+        elif need == "matplotlib":
+            finding.found = plotter() or ""
+        elif need == "npm":
+            finding.found = shutil.which(need) or ""
         elif f"found_{need}" in probe:
             finding.found = "found"
         elif not cxx:
@@ -159,9 +180,8 @@ def look(level: str = "ci") -> list[Finding]:
 
 
 def wanted(level: str) -> list[str]:
-    """All that a level of work needs, with what stands before it."""
-    levels = list(NEEDS)
-    return [need for name in levels[:levels.index(level) + 1] for need in NEEDS[name]]
+    """All that a level of work needs, after what it stands on."""
+    return (wanted(STANDS_ON[level]) if level in STANDS_ON else []) + NEEDS[level]
 
 
 def ensure(level: str) -> None:
@@ -203,11 +223,11 @@ def _install(missing: list[str]) -> None:
 def _fingerprint() -> str:
     """Changes when the programs that we found may have changed: then we look again, else a look is spared."""
     parts = [os.environ.get("PATH", ""), os.environ.get("CXX", "")]
-    for name in ("c++", "g++", "cmake", "ninja", "bwrap", *CLANGS):
+    for name in ("c++", "g++", "cmake", "ninja", "bwrap", "npm", *CLANGS):
         path = shutil.which(name)
         parts.append(f"{path} {os.stat(path).st_mtime_ns}" if path else "-")
     for folder in ("/usr/include", "/usr/local/include", "/opt/homebrew/include"):
-        for library in ("glm", "stb", "catch2", "tiny_obj_loader.h"):
+        for library in ("glm", "stb", "catch2", "tiny_obj_loader.h", "embree3"):
             parts.append(str(os.path.exists(os.path.join(folder, library))))
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 

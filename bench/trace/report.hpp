@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
-#include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,36 +122,49 @@ inline void print_csv(const std::vector<row>& rows) {
                     r.bytes_per_triangle, r.build_ms, r.threads);
 }
 
-inline void print_json(const std::vector<row>& rows) {
+inline void print_json(const std::vector<row>& rows, std::FILE* to = stdout) {
     const char* comma = "";
-    const auto begin = [&](const char* name) { std::printf("%s\"%s\":[", comma, name), comma = ""; };
-    const auto next = [&] { std::printf("%s\n", comma), comma = ","; };
-    std::printf("{");
+    const auto begin = [&](const char* name) { std::fprintf(to, "%s\"%s\":[", comma, name), comma = ""; };
+    const auto next = [&] { std::fprintf(to, "%s\n", comma), comma = ","; };
+    std::fputs("{", to);
     begin("rows");
     for (const row& r : rows) {
         next();
-        std::printf("{\"scene\":\"%s\",\"structure\":\"%s\",\"rays\":\"%s\",\"mrays\":%.4f,\"wrong\":%.0f,\"bytes_per_triangle\":%.2f,"
+        std::fprintf(to, "{\"scene\":\"%s\",\"structure\":\"%s\",\"rays\":\"%s\",\"mrays\":%.4f,\"wrong\":%.0f,\"bytes_per_triangle\":%.2f,"
                     "\"build_ms\":%.3f,\"threads\":%u,\"triangles\":%u,\"traced\":%llu,\"checked\":%llu,\"nodes\":%.3f,\"offers\":%.3f}",
                     r.scene.c_str(), r.structure.c_str(), r.rays.c_str(), r.mrays, r.wrong, r.bytes_per_triangle, r.build_ms, r.threads,
                     r.triangles, static_cast<unsigned long long>(r.traced), static_cast<unsigned long long>(r.checked), r.nodes, r.offers);
     }
-    std::printf("]");
+    std::fputs("]", to);
     comma = ",";
     begin("summary");
     for (const summary& s : summaries(rows)) {
         next();
-        std::printf("{\"structure\":\"%s\",\"rays\":\"%s\",\"mean\":%.4f,\"worst\":%.4f,\"worst_scene\":\"%s\"}", s.structure.c_str(),
+        std::fprintf(to, "{\"structure\":\"%s\",\"rays\":\"%s\",\"mean\":%.4f,\"worst\":%.4f,\"worst_scene\":\"%s\"}", s.structure.c_str(),
                     s.rays.c_str(), s.mean, s.worst, s.worst_scene.c_str());
     }
-    std::printf("]");
+    std::fputs("]", to);
     comma = ",";
     begin("fits");
     for (const fit& f : fits(rows, "primary")) {
         next();
-        std::printf("{\"scene\":\"%s\",\"structure\":\"%s\",\"a\":%.4f,\"b\":%.4f,\"r2\":%.5f,\"power\":%.4f}", f.scene.c_str(),
+        std::fprintf(to, "{\"scene\":\"%s\",\"structure\":\"%s\",\"a\":%.4f,\"b\":%.4f,\"r2\":%.5f,\"power\":%.4f}", f.scene.c_str(),
                     f.structure.c_str(), f.a, f.b, f.r2, f.power);
     }
-    std::printf("]}\n");
+    std::fputs("]}\n", to);
+}
+
+/// The same into a file: the whole of it, or nothing.
+inline void save_json(const std::vector<row>& rows, const std::string& path) {
+    const std::string beside = path + ".part";
+    std::FILE* const file = std::fopen(beside.c_str(), "w");
+    if (file == nullptr) throw std::runtime_error(path + ": cannot be written");
+    print_json(rows, file);
+    const bool good = std::ferror(file) == 0;
+    if (std::fclose(file) != 0 || !good || std::rename(beside.c_str(), path.c_str()) != 0) {
+        std::remove(beside.c_str());
+        throw std::runtime_error(path + ": could not be written to the end");
+    }
 }
 
 }  // namespace trace

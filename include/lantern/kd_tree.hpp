@@ -28,7 +28,7 @@
 namespace lantern {
 
 struct kd_tree_options {
-    double test_cost = 4;          ///< of one surface, in steps of the traversal
+    double test_cost = 2;          ///< of one surface, in steps of the traversal
     double empty_bonus = 0.5;      ///< the part of the cost that is forgiven where a cut sets empty space apart
     std::uint32_t leaf_size = 1;   ///< a cell with no more surfaces is not divided
     std::uint32_t max_depth = 0;   ///< levels below the root, at most 64; 0 for 8 + 1.3 log2 n
@@ -53,7 +53,7 @@ public:
         entries_left_ = std::uint64_t{options.max_entries_per_surface} * indices.size() - indices.size();
         const auto usual = static_cast<std::uint32_t>(8 + 1.3 * static_cast<double>(std::bit_width(indices.size())));
         nodes_.emplace_back();
-        divide(boxes, 0, box_, std::move(indices), options.max_depth > 0 ? options.max_depth : std::min(usual, 64u), 0);
+        divide(boxes, 0, box_, std::move(indices), options.max_depth > 0 ? options.max_depth : std::min(usual, 64u));
     }
 
     /// Over a range of bounded surfaces: `kd_tree cells{things};`
@@ -177,17 +177,16 @@ private:
 
     static aabb cut_off(const aabb& box, const aabb& cell) { return {glm::max(box.min, cell.min), glm::min(box.max, cell.max)}; }
 
-    // Makes nodes_[at] the root of a tree over the indices in the cell. A few cuts may be bad before a good one is found.
+    // Makes nodes_[at] the root of a tree over the indices in the cell, cut for as long as that is expected to pay.
     void divide(std::span<const aabb> boxes, std::uint32_t at, const aabb& cell, std::vector<std::uint32_t> indices,
-                std::uint32_t levels, std::uint32_t bad_cuts) {
+                std::uint32_t levels) {
         const double leaf_cost = options_.test_cost * double(indices.size());
         plane_cut c;
         std::vector<std::uint32_t> lower, upper;
         bool divided = indices.size() > options_.leaf_size && levels > 0;
         if (divided) {
             c = best_cut(boxes, indices, cell);
-            bad_cuts += c.cost >= leaf_cost;
-            divided = c.axis < 3 && bad_cuts < 4 && c.cost < 4 * leaf_cost;
+            divided = c.cost < leaf_cost;
         }
         if (divided) {
             for (const std::uint32_t i : indices) {
@@ -209,8 +208,8 @@ private:
         nodes_[at] = {c.at, children, 0, c.axis & 3u};
         aabb below = cell, above = cell;
         below.max[int(c.axis)] = above.min[int(c.axis)] = c.at;
-        divide(boxes, children, below, std::move(lower), levels - 1, bad_cuts);
-        divide(boxes, children + 1, above, std::move(upper), levels - 1, bad_cuts);
+        divide(boxes, children, below, std::move(lower), levels - 1);
+        divide(boxes, children + 1, above, std::move(upper), levels - 1);
     }
 
     aabb box_;

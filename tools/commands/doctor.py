@@ -11,7 +11,8 @@ import process
 SUMMARY = "tell what this machine has and lacks"
 USAGE = "doctor"
 FOR = {need: level for level, needs in machine.NEEDS.items() for need in needs}
-PURPOSE = {"build": "", "test": "for ./lab test and check", "grade": "for ./lab grade alone", "ci": "for .ci/run alone"}
+PURPOSE = {"build": "", "test": "for ./lab test and check", "grade": "for ./lab grade alone", "ci": "for .ci/run alone",
+           "bench": "for ./lab bench trace alone"}
 
 
 def run(arguments: list[str]) -> int:
@@ -19,7 +20,7 @@ def run(arguments: list[str]) -> int:
     print(f"{'system':<10} {platform.platform(terse=True)}, {machine.os.cpu_count()} cores")
     print(f"{'python3':<10} {sys.version.split()[0]}")
     missing = []
-    for finding in machine.look():
+    for finding in machine.look("ci", "bench"):
         purpose = PURPOSE[FOR[finding.name]]
         state = finding.found or "missing" + (f" ({finding.remark})" if finding.remark else "")
         print(f"{finding.name:<10} {state}" + (f", {purpose}" if finding.missing and purpose else ""))
