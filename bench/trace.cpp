@@ -2,7 +2,7 @@
 // How fast a ray finds what it hits, and how often it finds the wrong thing: the library's structures, and Embree where it is
 // installed, over the same surfaces and rays, in turns.
 //     trace [--triangles N,... | --sweep] [--scene NAME,...] [--structure NAME,...] [--rays N] [--rounds N] [--threads N,...]
-//           [--models FOLDER] [--obj FILE] [--csv | --json] [--save FILE] [--check]
+//           [--budget MS] [--models FOLDER] [--obj FILE] [--csv | --json] [--save FILE] [--check]
 
 #include "command_line.hpp"
 #include "trace/contenders.hpp"
@@ -96,7 +96,7 @@ bool passes(const std::vector<trace::row>& rows) {
 }
 
 options parse(int argc, char** argv) {
-    const std::string own = "--triangles N,..., --sweep, --scene NAME,..., --structure NAME,..., --rays N, --rounds N, --threads N,..., --models FOLDER, --save FILE, "
+    const std::string own = "--triangles N,..., --sweep, --scene NAME,..., --structure NAME,..., --rays N, --rounds N, --threads N,..., --budget MS, --models FOLDER, --save FILE, "
                             "--obj FILE (with tinyobjloader)";
     return bench::parse<options>(argc, argv, own, [](options& o, std::string_view word, auto next) {
         const auto numbers = [&](auto& list) {
@@ -110,6 +110,10 @@ options parse(int argc, char** argv) {
         else if (word == "--structure") o.structures = words(next());
         else if (word == "--rays") o.how.rays = bench::number<std::uint32_t>(word, next(), 1);
         else if (word == "--rounds") o.how.rounds = bench::number<std::uint32_t>(word, next(), 1);
+        else if (word == "--budget") {  // of a round for one kind of rays; brute force, at 10 ns a test, has as much
+            const auto ms = bench::number<std::uint32_t>(word, next(), 1);
+            o.how.seconds = ms / 1000.0, o.how.tests = ms * 1e5;
+        }
         else if (word == "--threads") numbers(o.how.threads);
         else if (word == "--models") o.models = next();
         else if (word == "--save") o.save = next();
