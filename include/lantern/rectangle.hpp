@@ -34,8 +34,9 @@ inline void validate(const rectangle& s) {
         refuse("rectangle: v", to_text(s.v), "not parallel to u = " + to_text(s.u));
 }
 
-/// Rounded outwards.
+/// Rounded outwards; empty when a number is not finite.
 [[nodiscard]] inline aabb bounds(const rectangle& s) {
+    if (!(is_finite(s.corner) && is_finite(s.u) && is_finite(s.v))) return {};
     const aabb u = moved(aabb{s.corner, s.corner}, s.u);
     const aabb edge = enclose(u, s.corner);
     return enclose(edge, moved(edge, s.v));
@@ -58,8 +59,9 @@ inline void validate(const rectangle& s) {
     if (!(alpha >= -doubt_alpha && alpha <= 1 + doubt_alpha && beta >= -doubt_beta && beta <= 1 + doubt_beta))
         return std::nullopt;
     const double a = glm::clamp(alpha, 0.0, 1.0), b = glm::clamp(beta, 0.0, 1.0);
-    const double error = 0x1p-50 * (precise::size(corner) + precise::size(u) + precise::size(v));
-    return precise::hit{t, corner + a * u + b * v, n / std::sqrt(nn), error};
+    const double size = precise::size(corner) + precise::size(u) + precise::size(v);
+    if (!precise::fits(size)) return std::nullopt;
+    return precise::hit{t, corner + a * u + b * v, n / std::sqrt(nn), 0x1p-50 * size};
 }
 
 }  // namespace lantern
