@@ -39,6 +39,9 @@ struct hit {
 /// |x| + |y| + |z|: the size of a vector for the purposes of an error bound.
 [[nodiscard]] inline double size(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
+/// Whether something of this size can be rounded to float. A hit beyond that is none.
+[[nodiscard]] inline bool fits(double size) { return size < 0x1p128; }
+
 [[nodiscard]] inline ray widen(const lantern::ray& r) { return {glm::dvec3(r.origin), glm::dvec3(r.direction)}; }
 [[nodiscard]] inline timed_ray widen(const lantern::timed_ray& r) {
     return {{glm::dvec3(r.origin), glm::dvec3(r.direction)}, double(r.time)};
