@@ -16,7 +16,7 @@ COMMANDS = {
     "Start here": ["demo", "test"],
     "The labs": ["status", "start", "watch", "check", "run", "hint", "compare", "solution", "reset", "list"],
     "The machine": ["doctor", "setup"],
-    "For those who change Lantern": ["starters", "mutants", "bench", "report"],
+    "For those who change Lantern": ["starters", "mutants", "bench", "report", "stress"],
 }
 
 
