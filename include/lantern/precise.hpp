@@ -64,6 +64,19 @@ concept precise_surface = requires(const S& s, const Ray& r, interval range) {
     return {static_cast<float>(h.t), glm::vec3(h.point), glm::vec3(h.normal), static_cast<float>(h.error)};
 }
 
+namespace precise {
+
+// What becomes of a hit that a primitive has found, for those that are asked so often that it matters: kept in double, or rounded
+// at once, before it has been put together.
+inline constexpr auto as_it_is = [](double t, const glm::dvec3& point, const glm::dvec3& normal, double error) {
+    return std::optional(hit{t, point, normal, error});
+};
+inline constexpr auto rounded_at_once = [](double t, const glm::dvec3& point, const glm::dvec3& normal, double error) {
+    return std::optional(lantern::hit{static_cast<float>(t), glm::vec3(point), glm::vec3(normal), static_cast<float>(error)});
+};
+
+}  // namespace precise
+
 /// A precise surface meets an ordinary ray: widened, intersected in double, rounded once.
 template <class S, std::derived_from<ray> Ray>
     requires requires(const S& s, const Ray& r, interval range) {

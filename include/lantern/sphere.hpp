@@ -82,20 +82,23 @@ inline void validate(const sphere& s) {
 
 namespace precise {
 
-/// The first of the roots of a t² - 2 b t + k that lies in the range, and what the sphere looks like there; f is center - origin.
-[[nodiscard, gnu::always_inline]] inline std::optional<hit> meet(const sphere& s, const ray& r, interval range, const glm::dvec3& f,
-                                                                 double a, double b, double k, double root) {
+/// The first of the roots of a t² - 2 b t + k that lies in the range, and what the sphere looks like there, handed to `make`; f is
+/// center - origin.
+template <class Make>
+[[nodiscard, gnu::always_inline]] inline auto meet(const sphere& s, const ray& r, const interval& range, const glm::dvec3& f, double a, double b,
+                                                   double k, double root, Make make) -> decltype(make(0.0, f, f, 0.0)) {
     const double q = b >= 0 ? b + root : b - root;
     double t = b >= 0 ? k / q : q / a;
     if (!contains(range, t)) {
         t = b >= 0 ? q / a : k / q;
         if (!contains(range, t)) return std::nullopt;
     }
-    const glm::dvec3 c(s.center), out = t * r.direction - f;  // of length R but for an error that one step of Newton's squares
-    const double radius = s.radius, per_radius = 1 / radius, size = precise::size(c) + std::abs(radius);
+    const glm::dvec3 c(s.center), out = t * r.direction - f;  // of length R, but for an error e
+    const double radius = s.radius, size = precise::size(c) + std::abs(radius);
     if (!fits(size)) return std::nullopt;
-    const glm::dvec3 normal = (per_radius * (1.5 - 0.5 * (per_radius * per_radius) * glm::dot(out, out))) * out;
-    return hit{t, c + radius * normal, normal, 0x1p-50 * size};
+    // By the arithmetic mean of R² and |out|² for their geometric mean, which leaves e² / 2.
+    const glm::dvec3 normal = (2 * radius / (radius * radius + glm::dot(out, out))) * out;
+    return make(t, c + radius * normal, normal, 0x1p-50 * size);
 }
 
 }  // namespace precise
@@ -105,7 +108,7 @@ namespace precise {
 /// Where the error bounds say that the t rounded to float or the decision might be wrong, double-double decides: for rays that
 /// graze the outermost 2^-13 of the radius, or start nearer to the surface than 2^-15 of it.
 [[nodiscard, gnu::noinline]] inline std::optional<precise::hit> intersect_with_care(const sphere& s, const precise::ray& r,
-                                                                                    interval range) {
+                                                                                    const interval& range) {
     const glm::dvec3 c(s.center), d = r.direction, f = c - r.origin;
     const double radius = s.radius, rr = radius * radius;
     const double a = glm::dot(d, d), b = glm::dot(f, d), ff = glm::dot(f, f), k = ff - rr;  // k wrong by at most 2^-50 |f|²
@@ -117,24 +120,38 @@ namespace precise {
         if (discriminant < -(0x1p-30 * arr + 0x1p-50 * a * ff)) return std::nullopt;
         return intersect_in_doubt(s, r, range);
     }
-    return precise::meet(s, r, range, f, a, b, k, std::sqrt(discriminant));
+    return precise::meet(s, r, range, f, a, b, k, std::sqrt(discriminant), precise::as_it_is);
 }
+
+namespace precise {
 
 /// The roots of a t² - 2 b t + k without cancellation (Higham 2002, section 1.8). The discriminant is b² - a k where that is right,
 /// which is for rays within 500 radii that do not graze: to 2^-31 of itself, when it is more than 2^-18 of a |f|², so t to
 /// 2^-10 ulp of float. (Inlined always, for the widened ray to stay in registers.)
-[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const sphere& s, const precise::ray& r,
-                                                                               interval range) {
+template <class Make>
+[[nodiscard, gnu::always_inline]] inline auto find_hit(const sphere& s, const ray& r, const interval& range, Make make)
+    -> decltype(make(0.0, r.origin, r.origin, 0.0)) {
     const glm::dvec3 d = r.direction, f = glm::dvec3(s.center) - r.origin;
     const double b = glm::dot(f, d), ff = glm::dot(f, f), k = ff - double(s.radius) * double(s.radius);
     if (b <= 0 && k > 0x1p-48 * ff && range.min >= 0) return std::nullopt;  // outside, and going away
     const double a = glm::dot(d, d), aff = a * ff, discriminant = b * b - a * k;  // wrong by at most 2^-49 a (|f|² + R²)
     if (discriminant > 0x1p-18 * aff && std::abs(k) > 0x1p-14 * ff) [[likely]]
-        return precise::meet(s, r, range, f, a, b, k, std::sqrt(discriminant));
+        return meet(s, r, range, f, a, b, k, std::sqrt(discriminant), make);
     if (discriminant < -0x1p-46 * aff && k > 0) return std::nullopt;
-    const auto h = intersect_with_care(s, precise::ray(r), range);
+    const auto h = intersect_with_care(s, ray(r), range);
     if (!h) return std::nullopt;
-    return precise::hit{h->t, h->point, h->normal, h->error};
+    return make(h->t, h->point, h->normal, h->error);
+}
+
+}  // namespace precise
+
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const sphere& s, const precise::ray& r, interval range) {
+    return precise::find_hit(s, r, range, precise::as_it_is);
+}
+
+/// The same, rounded where it is made: it need not go through memory.
+[[nodiscard]] inline std::optional<hit> intersect(const sphere& s, const ray& r, interval range) {
+    return precise::find_hit(s, precise::widen(r), range, precise::rounded_at_once);
 }
 
 }  // namespace lantern

@@ -12,7 +12,6 @@
 #include <lantern/validate.hpp>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -57,13 +56,19 @@ namespace precise {
     return n;
 }
 
+/// The size of the smallest vector that no coordinate of the three exceeds.
+[[nodiscard]] inline double largest_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const auto largest = [](double x, double y, double z) { return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)); };
+    return largest(a.x, b.x, c.x) + largest(a.y, b.y, c.y) + largest(a.z, b.z, c.z);
+}
+
 }  // namespace precise
 
 /// The general case of `intersect`, for where double is in doubt. Inside or outside is decided exactly, so neighbours decide
 /// alike; a triangle of no area has no inside. t comes from the plane in double-double: the hit lies between the vertices,
 /// so t is kept between theirs.
 [[nodiscard, gnu::noinline]] inline std::optional<precise::hit> intersect_in_doubt(const triangle& s, const precise::ray& r,
-                                                                                   interval range) {
+                                                                                   const interval& range) {
     const glm::dvec3 a(s.a), b(s.b), c(s.c), &o = r.origin, &d = r.direction, length = glm::abs(d);
     const int kz = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
     const double za = (a[kz] - o[kz]) / d[kz], zb = (b[kz] - o[kz]) / d[kz], zc = (c[kz] - o[kz]) / d[kz];
@@ -83,52 +88,68 @@ namespace precise {
     if (!contains(range, t)) return std::nullopt;
     glm::dvec3 normal(n[0].high, n[1].high, n[2].high);
     if (normal == glm::dvec3(0)) normal = -d;
-    const glm::dvec3 largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
-    return precise::hit{t, wa * a + wb * b + wc * c, normal / glm::length(normal), 0x1p-50 * (largest.x + largest.y + largest.z)};
+    return precise::hit{t, wa * a + wb * b + wc * c, normal / glm::length(normal), 0x1p-50 * precise::largest_size(a, b, c)};
 }
 
-/// Inside or outside by the signs of three edge functions in sheared space, where the ray is the z axis and its direction (0, 0, 1)
-/// (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013), in double. A sign that rounding might have
-/// decided is not believed, and neither is a plane too slanting or too near for t: `intersect_in_doubt` decides then. No triangle
-/// is too small: only a determinant of 0 is a miss. (Inlined always, for the widened numbers to stay in registers.)
-[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r,
-                                                                               interval range) {
-    const double* const d = glm::value_ptr(r.direction);
-    const double* const o = glm::value_ptr(r.origin);
-    const double dx = std::abs(d[0]), dy = std::abs(d[1]), dz = std::abs(d[2]);
-    const int kz = dx >= dy && dx >= dz ? 0 : dy >= dz ? 1 : 2, kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-    const double sz = 1 / d[kz], sx = -d[kx] * sz, sy = -d[ky] * sz, ox = o[kx], oy = o[ky], oz = o[kz];
-    struct vertex {
-        double x, y, z;
+namespace precise {
+
+/// A point beside the ray, which has become the z axis: sheared so that its direction is (0, 0, 1), seen along it.
+struct sheared {
+    double x, y;
+};
+
+/// Inside or outside by the signs of three edge functions in sheared space (Woop, Benthin and Wald, "Watertight ray/triangle
+/// intersection", JCGT 2(1), 2013), in double. A sign that rounding might have decided is not believed, and neither is a plane too
+/// slanting or too near for t: `intersect_in_doubt` decides then. No triangle is too small: only a determinant of 0 is a miss.
+/// (Inlined always, for the widened numbers to stay in registers.)
+template <class Make, class Doubt>
+[[nodiscard, gnu::always_inline]] inline auto find_hit(const triangle& s, const ray& r, const interval& range, Make make, Doubt in_doubt)
+    -> decltype(make(0.0, r.origin, r.origin, 0.0)) {
+    const glm::dvec3 a(s.a), b(s.b), c(s.c), d = r.direction, to_a = a - r.origin, to_b = b - r.origin, to_c = c - r.origin;
+    sheared A, B, C;
+    const auto shear = [&](int x, int y, int z) {  // along z, which the direction has most of
+        const double sz = 1 / d[z], sx = -d[x] * sz, sy = -d[y] * sz;
+        A = {multiply_add(sx, to_a[z], to_a[x]), multiply_add(sy, to_a[z], to_a[y])};
+        B = {multiply_add(sx, to_b[z], to_b[x]), multiply_add(sy, to_b[z], to_b[y])};
+        C = {multiply_add(sx, to_c[z], to_c[x]), multiply_add(sy, to_c[z], to_c[y])};
     };
-    const auto shear = [&](const glm::vec3& v) -> vertex {
-        const float* const p = glm::value_ptr(v);
-        const double z = double(p[kz]) - oz;
-        return {multiply_add(sx, z, double(p[kx]) - ox), multiply_add(sy, z, double(p[ky]) - oy), z};
-    };
-    const vertex A = shear(s.a), B = shear(s.b), C = shear(s.c);
+    const double dx = std::abs(d.x), dy = std::abs(d.y), dz = std::abs(d.z);
+    if (dx >= dy && dx >= dz) shear(1, 2, 0);
+    else if (dy >= dz) shear(2, 0, 1);
+    else shear(0, 1, 2);
     const double u = difference_of_products(C.x, B.y, C.y, B.x);
     const double v = difference_of_products(A.x, C.y, A.y, C.x);
     const double w = difference_of_products(B.x, A.y, B.y, A.x);
-    // u, v, w are wrong by less than `doubt`: sx and sy by 2^-52, each sheared coordinate by 5 |z| + 2 |x| times 2^-53.
-    const double width = std::abs(A.x) + std::abs(A.y) + std::abs(B.x) + std::abs(B.y) + std::abs(C.x) + std::abs(C.y);
-    const double doubt = 0x1p-49 * width * (width + (std::abs(A.z) + std::abs(B.z) + std::abs(C.z)));
-    const double least = std::min(std::min(u, v), w), most = std::max(std::max(u, v), w);
+    // No coordinate is larger than `reach`. With e = 2^-53, sx and sy are wrong by 2 e of themselves and what is sheared by 7 e reach,
+    // hence u, v, w by 32 e reach².
+    const glm::dvec3 e1 = b - a, e2 = c - a;
+    const double size1 = size(e1), size2 = size(e2), distance = size(to_a), reach = distance + (size1 + size2);
+    const double doubt = 0x1p-47 * (reach * reach), least = std::min(std::min(u, v), w), most = std::max(std::max(u, v), w);
     if (least < -doubt && most > doubt) return std::nullopt;
 
-    const glm::dvec3 a(s.a), b(s.b), c(s.c), e1 = b - a, e2 = c - a, to = a - r.origin, n = glm::cross(e1, e2);
-    const double above = glm::dot(n, to), speed = glm::dot(n, r.direction), scale = 0x1p-15 * precise::size(e1) * precise::size(e2);
-    if (!((least > doubt || most < -doubt) && std::abs(above) > scale * precise::size(to) &&
-          std::abs(speed) > scale * precise::size(r.direction))) {
-        const auto h = intersect_in_doubt(s, precise::ray(r), range);
+    const glm::dvec3 n = glm::cross(e1, e2);
+    const double above = glm::dot(n, to_a), speed = glm::dot(n, d), scale = 0x1p-15 * size1 * size2;
+    if (!((least > doubt || most < -doubt) && std::abs(above) > scale * distance && std::abs(speed) > scale * (dx + dy + dz))) {
+        const std::optional<hit> h = in_doubt();
         if (!h) return std::nullopt;
-        return precise::hit{h->t, h->point, h->normal, h->error};
+        return make(h->t, h->point, h->normal, h->error);
     }
     const double t = above / speed;
     if (!contains(range, t)) return std::nullopt;
     const double per_sum = 1 / (u + v + w), wa = u * per_sum, wb = v * per_sum, wc = w * per_sum;
-    const glm::dvec3 largest = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
-    return precise::hit{t, wa * a + wb * b + wc * c, n / glm::length(n), 0x1p-50 * (largest.x + largest.y + largest.z)};
+    return make(t, wa * a + wb * b + wc * c, n / glm::length(n), 0x1p-50 * largest_size(a, b, c));
+}
+
+}  // namespace precise
+
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r, interval range) {
+    return precise::find_hit(s, r, range, precise::as_it_is, [&] { return intersect_in_doubt(s, precise::ray(r), range); });
+}
+
+/// The same, rounded where it is made: it need not go through memory.
+[[nodiscard]] inline std::optional<hit> intersect(const triangle& s, const ray& r, interval range) {
+    return precise::find_hit(s, precise::widen(r), range, precise::rounded_at_once,
+                             [&] { return intersect_in_doubt(s, precise::widen(r), range); });
 }
 
 }  // namespace lantern
