@@ -15,24 +15,27 @@ from process import ROOT
 NEEDS = {
     "build": ["compiler", "cmake", "ninja", "glm", "stb"],
     "test": ["catch2"],
-    "ci": ["clang", "tinyobj"],
+    "ci": ["clang", "tinyobj", "fuzzer"],
 }
+EXTRAS = {"price": ["valgrind"]}  # by themselves
 
 PACKAGES = {
     "apt": {"compiler": "g++", "cmake": "cmake", "ninja": "ninja-build", "glm": "libglm-dev", "stb": "libstb-dev",
-            "catch2": "catch2", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev"},
+            "catch2": "catch2", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev",
+            "fuzzer": "libclang-rt-16-dev", "valgrind": "valgrind"},
     "dnf": {"compiler": "gcc-c++", "cmake": "cmake", "ninja": "ninja-build", "glm": "glm-devel",
             "stb": "stb_image_write-devel", "catch2": "catch-devel", "clang": "clang",
-            "tinyobj": "tinyobjloader-devel"},
+            "tinyobj": "tinyobjloader-devel", "fuzzer": "compiler-rt", "valgrind": "valgrind"},
     "pacman": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "stb": "stb", "catch2": "catch2",
-               "clang": "clang", "tinyobj": "tinyobjloader"},
+               "clang": "clang", "tinyobj": "tinyobjloader", "fuzzer": "compiler-rt", "valgrind": "valgrind"},
     "brew": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "catch2": "catch2", "clang": "llvm",
              "tinyobj": "tinyobjloader"},
 }
 
 # What the build does without where no package brings it: CMake fetches the first three at a pinned commit.
 SPARED = {"glm": "CMake will fetch its sources", "stb": "CMake will fetch its sources",
-          "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out"}
+          "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out",
+          "fuzzer": "nothing is fuzzed but the kept seeds", "valgrind": "times are shown for counts of instructions"}
 
 MINIMUM = {"cmake": (3, 25)}
 CLANGS = ["clang++-16", "clang++", "clang++-20", "clang++-19", "clang++-18", "clang++-17", "clang++-15", "clang++-14"]
@@ -117,6 +120,13 @@ def clang() -> str | None:
     return next((path for name in CLANGS if (path := shutil.which(name))), None)
 
 
+def fuzzes(path: str | None) -> bool:
+    """Whether this Clang has libFuzzer."""
+    source = 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
+    command = [path or "clang++", "-fsanitize=fuzzer", "-x", "c++", "-", "-o", os.devnull]
+    return path is not None and process.capture(command, source)[0] == 0
+
+
 def look(level: str = "ci") -> list[Finding]:
     """What was found of all that a level of work needs."""
     findings = []
@@ -145,6 +155,11 @@ def look(level: str = "ci") -> list[Finding]:
             path = clang()
             if path:
                 finding.found = process.capture([path, "--version"])[1].splitlines()[0]
+        elif need == "fuzzer":
+            if fuzzes(clang()):
+                finding.found = "found"
+        elif need == "valgrind":
+            finding.found = shutil.which("valgrind") or ""
         elif f"found_{need}" in probe:
             finding.found = "found"
         elif not cxx:
@@ -155,6 +170,8 @@ def look(level: str = "ci") -> list[Finding]:
 
 def wanted(level: str) -> list[str]:
     """All that a level of work needs, with what stands before it."""
+    if level in EXTRAS:
+        return EXTRAS[level]
     levels = list(NEEDS)
     return [need for name in levels[:levels.index(level) + 1] for need in NEEDS[name]]
 
