@@ -31,34 +31,34 @@ inline constexpr float pi = std::numbers::pi_v<float>;
 inline glm::vec3 at(const ray& r, float t) { return r.origin + t * r.direction; }
 
 /// "Ray Tracing in One Weekend": (-b ± √(b² - ac)) / a, both roots from the same formula.
-inline answer sphere(glm::vec3 center, float radius, ray r, float from = 0) {
+inline answer sphere(glm::vec3 center, float radius, const ray& r, float from = 0, float to = infinity) {
     const glm::vec3 oc = center - r.origin;
     const float a = glm::dot(r.direction, r.direction), h = glm::dot(r.direction, oc), c = glm::dot(oc, oc) - radius * radius;
     const float discriminant = h * h - a * c;
     if (discriminant < 0) return std::nullopt;
     const float root = std::sqrt(discriminant);
     float t = (h - root) / a;
-    if (t <= from || t == infinity) {
+    if (!(t > from && t < to)) {
         t = (h + root) / a;
-        if (t <= from || t == infinity) return std::nullopt;
+        if (!(t > from && t < to)) return std::nullopt;
     }
     const glm::vec3 p = at(r, t);
     return hit{t, p, (p - center) / radius};
 }
 
 /// n·p = D with D computed beforehand, and "nearly parallel is a miss".
-inline answer plane(glm::vec3 point, glm::vec3 normal, ray r, float from = 0) {
+inline answer plane(glm::vec3 point, glm::vec3 normal, const ray& r, float from = 0, float to = infinity) {
     const glm::vec3 n = glm::normalize(normal);
     const float offset = glm::dot(n, point), speed = glm::dot(n, r.direction);
     if (std::abs(speed) < 1e-8f) return std::nullopt;
     const float t = (offset - glm::dot(n, r.origin)) / speed;
-    if (!(t > from)) return std::nullopt;
+    if (!(t > from && t < to)) return std::nullopt;
     return hit{t, at(r, t), n};
 }
 
 /// Möller and Trumbore 1997, with the epsilon that it is always copied with.
 template <class Vector = glm::vec3>
-answer triangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_, ray r, typename Vector::value_type smallest = 1e-8f, float from = 0) {
+answer triangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_, const ray& r, typename Vector::value_type smallest = 1e-8f, float from = 0, float to = infinity) {
     const Vector a(a_), e1 = Vector(b_) - a, e2 = Vector(c_) - a, d(r.direction), p = glm::cross(d, e2);
     const auto determinant = glm::dot(e1, p);
     if (std::abs(determinant) <= smallest) return std::nullopt;
@@ -70,12 +70,12 @@ answer triangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_, ray r, typename Vector
     const auto v = inverse * glm::dot(d, q);
     if (v < 0 || u + v > 1) return std::nullopt;
     const auto t = static_cast<float>(inverse * glm::dot(e2, q));
-    if (!(t > from) || t == infinity) return std::nullopt;
+    if (!(t > from && t < to)) return std::nullopt;
     return hit{t, at(r, t), glm::vec3(glm::normalize(glm::cross(e1, e2)))};
 }
 
 /// As in "The Next Week": the plane's D, then coordinates along u and v.
-inline answer rectangle(glm::vec3 corner, glm::vec3 u, glm::vec3 v, ray r) {
+inline answer rectangle(glm::vec3 corner, glm::vec3 u, glm::vec3 v, const ray& r) {
     const glm::vec3 n = glm::cross(u, v), w = n / glm::dot(n, n);
     const auto h = plane(corner, n, r);
     if (!h) return h;
@@ -84,13 +84,13 @@ inline answer rectangle(glm::vec3 corner, glm::vec3 u, glm::vec3 v, ray r) {
     return alpha >= 0 && alpha <= 1 && beta >= 0 && beta <= 1 ? h : std::nullopt;
 }
 
-inline answer disk(glm::vec3 center, glm::vec3 normal, float radius, ray r) {
+inline answer disk(glm::vec3 center, glm::vec3 normal, float radius, const ray& r) {
     const auto h = plane(center, normal, r);
     return h && glm::length(h->point - center) <= radius ? h : std::nullopt;
 }
 
 /// "The Next Week": divide, swap, shrink; and `<=` ends it.
-inline bool slabs(glm::vec3 lo, glm::vec3 hi, ray r, float& near, float& far) {
+inline bool slabs(glm::vec3 lo, glm::vec3 hi, const ray& r, float& near, float& far) {
     for (int i = 0; i < 3; ++i) {
         const float inverse = 1 / r.direction[i];
         float t0 = (lo[i] - r.origin[i]) * inverse, t1 = (hi[i] - r.origin[i]) * inverse;
@@ -102,12 +102,12 @@ inline bool slabs(glm::vec3 lo, glm::vec3 hi, ray r, float& near, float& far) {
     return true;
 }
 
-inline bool meets_box(stress::box b, ray r) {
+inline bool meets_box(stress::box b, const ray& r) {
     float near = 0, far = infinity;
     return slabs(b.min, b.max, r, near, far);
 }
 
-inline answer box_surface(stress::box b, ray r) {
+inline answer box_surface(stress::box b, const ray& r) {
     float near = -infinity, far = infinity;
     if (!slabs(b.min, b.max, r, near, far)) return std::nullopt;
     const float t = near > 0 ? near : far;
@@ -119,7 +119,7 @@ inline answer box_surface(stress::box b, ray r) {
     return h;
 }
 
-inline answer cylinder(glm::vec3 from, glm::vec3 to, float radius, ray r) {
+inline answer cylinder(glm::vec3 from, glm::vec3 to, float radius, const ray& r) {
     const glm::vec3 axis = glm::normalize(to - from), f = r.origin - from;
     const float height = glm::length(to - from);
     const glm::vec3 d = r.direction - glm::dot(r.direction, axis) * axis, o = f - glm::dot(f, axis) * axis;
@@ -141,7 +141,7 @@ inline answer cylinder(glm::vec3 from, glm::vec3 to, float radius, ray r) {
 }
 
 /// Carried to the object's space in float, with a direction of unit length there; the normal by the matrix itself.
-inline answer placed_sphere(stress::affine m, glm::vec3 center, float radius, ray r, bool unit_direction = true, bool inverse_normal = false) {
+inline answer placed_sphere(stress::affine m, glm::vec3 center, float radius, const ray& r, bool unit_direction = true, bool inverse_normal = false) {
     const glm::vec3 x = m.columns[0], y = m.columns[1], z = m.columns[2];
     const float determinant = glm::dot(x, glm::cross(y, z));
     const glm::vec3 rx = glm::cross(y, z) / determinant, ry = glm::cross(z, x) / determinant, rz = glm::cross(x, y) / determinant;

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <vector>
 
 namespace {
@@ -27,7 +28,12 @@ constexpr std::size_t count = 4096;
 
 struct inputs {
     stress::ray r;
-    glm::vec3 center, a, b, c, normal, direction;
+    lantern::ray our_ray;
+    lantern::interval range;
+    lantern::sphere sphere;
+    lantern::triangle triangle;
+    lantern::plane plane;
+    glm::vec3 center, normal, direction;
     float radius;
     stress::box box;
     glm::vec2 xi;
@@ -52,12 +58,13 @@ std::vector<inputs> make() {
         double u = d.unit(), v = d.unit();
         if (u + v > 1) u = 1 - u, v = 1 - v;
         const glm::dvec3 e1(d.in_cube()), e2(d.in_cube()), corner = at + aside - u * e1 - v * e2;
-        x.a = glm::vec3(corner);
-        x.b = glm::vec3(corner + e1);
-        x.c = glm::vec3(corner + e2);
+        x.sphere = {x.center, x.radius};
+        x.triangle = {glm::vec3(corner), glm::vec3(corner + e1), glm::vec3(corner + e2)};
+        x.our_ray = {x.r.origin, x.r.direction};
         const glm::vec3 middle(at + aside), half = glm::vec3(0.8f) + 0.5f * d.in_cube();
         x.box = {middle - half, middle + half};
         x.normal = glm::vec3(d.on_sphere());
+        x.plane = {x.center, x.normal};
         x.direction = glm::vec3(d.on_sphere());
         if (glm::dot(x.direction, x.normal) > 0) x.direction = -x.direction;
         x.xi = {d.between(0, 1), d.between(0, 1)};
@@ -66,7 +73,6 @@ std::vector<inputs> make() {
     return all;
 }
 
-lantern::ray plain(const stress::ray& r) { return {r.origin, r.direction}; }
 float sum(glm::vec3 v) { return v.x + v.y + v.z; }
 float sum(const auto& h) { return h ? h->t + sum(h->point) + sum(h->normal) : 0; }
 
@@ -80,23 +86,37 @@ float total(const std::vector<inputs>& all, auto&& of) {
 
 using list = std::vector<inputs>;
 
+// Surfaces are asked as the library asks them: a function, with a range.
+[[gnu::noinline]] static naive::answer textbook_sphere(const lantern::sphere& s, const stress::ray& r, lantern::interval range) {
+    return naive::sphere(s.center, s.radius, r, range.min, range.max);
+}
+[[gnu::noinline]] static std::optional<lantern::hit> our_sphere(const lantern::sphere& s, const lantern::ray& r, lantern::interval range) {
+    return intersect(s, r, range);
+}
+[[gnu::noinline]] static naive::answer textbook_triangle(const lantern::triangle& s, const stress::ray& r, lantern::interval range) {
+    return naive::triangle(s.a, s.b, s.c, r, 1e-8f, range.min, range.max);
+}
+[[gnu::noinline]] static std::optional<lantern::hit> our_triangle(const lantern::triangle& s, const lantern::ray& r, lantern::interval range) {
+    return intersect(s, r, range);
+}
+[[gnu::noinline]] static naive::answer textbook_plane(const lantern::plane& s, const stress::ray& r, lantern::interval range) {
+    return naive::plane(s.point, s.normal, r, range.min, range.max);
+}
+[[gnu::noinline]] static std::optional<lantern::hit> our_plane(const lantern::plane& s, const lantern::ray& r, lantern::interval range) {
+    return intersect(s, r, range);
+}
+
 extern "C" {
-[[gnu::noinline]] float price_sphere_textbook(const list& v) { return total(v, [](auto& x) { return sum(naive::sphere(x.center, x.radius, x.r)); }); }
-[[gnu::noinline]] float price_sphere_ours(const list& v) {
-    return total(v, [](auto& x) { return sum(intersect(lantern::sphere{x.center, x.radius}, plain(x.r), lantern::interval{})); });
-}
-[[gnu::noinline]] float price_triangle_textbook(const list& v) { return total(v, [](auto& x) { return sum(naive::triangle(x.a, x.b, x.c, x.r)); }); }
-[[gnu::noinline]] float price_triangle_ours(const list& v) {
-    return total(v, [](auto& x) { return sum(intersect(lantern::triangle{x.a, x.b, x.c}, plain(x.r), lantern::interval{})); });
-}
-[[gnu::noinline]] float price_plane_textbook(const list& v) { return total(v, [](auto& x) { return sum(naive::plane(x.center, x.normal, x.r)); }); }
-[[gnu::noinline]] float price_plane_ours(const list& v) {
-    return total(v, [](auto& x) { return sum(intersect(lantern::plane{x.center, x.normal}, plain(x.r), lantern::interval{})); });
-}
+[[gnu::noinline]] float price_sphere_textbook(const list& v) { return total(v, [](auto& x) { return sum(textbook_sphere(x.sphere, x.r, x.range)); }); }
+[[gnu::noinline]] float price_sphere_ours(const list& v) { return total(v, [](auto& x) { return sum(our_sphere(x.sphere, x.our_ray, x.range)); }); }
+[[gnu::noinline]] float price_triangle_textbook(const list& v) { return total(v, [](auto& x) { return sum(textbook_triangle(x.triangle, x.r, x.range)); }); }
+[[gnu::noinline]] float price_triangle_ours(const list& v) { return total(v, [](auto& x) { return sum(our_triangle(x.triangle, x.our_ray, x.range)); }); }
+[[gnu::noinline]] float price_plane_textbook(const list& v) { return total(v, [](auto& x) { return sum(textbook_plane(x.plane, x.r, x.range)); }); }
+[[gnu::noinline]] float price_plane_ours(const list& v) { return total(v, [](auto& x) { return sum(our_plane(x.plane, x.our_ray, x.range)); }); }
 [[gnu::noinline]] float price_box_textbook(const list& v) { return total(v, [](auto& x) { return naive::meets_box(x.box, x.r) ? 1.0f : 0.0f; }); }
 [[gnu::noinline]] float price_box_ours(const list& v) {
     return total(v, [](auto& x) {
-        return overlaps(lantern::aabb{x.box.min, x.box.max}, plain(x.r), lantern::interval{}) ? 1.0f : 0.0f;
+        return overlaps(lantern::aabb{x.box.min, x.box.max}, x.our_ray, x.range) ? 1.0f : 0.0f;
     });
 }
 [[gnu::noinline]] float price_basis_textbook(const list& v) {

@@ -43,6 +43,8 @@ def run(arguments: list[str]) -> int:
     options = unknown + wish.options
     with everything_on_stderr() if wish.json else contextlib.nullcontext():
         machine.ensure("build")
+        if not wish.json and not wish.no_price and not options:
+            bring_valgrind()
         folder = project.configure("release", tests=True)
         project.build(folder, "stress", "stress_price")
     program = folder / "tests" / "stress" / "stress"
@@ -51,6 +53,14 @@ def run(arguments: list[str]) -> int:
         sys.stdout.flush()
         print(price_table(program, program.parent / "stress_price"))
     return status
+
+
+def bring_valgrind() -> None:
+    """It counts instructions. Where it cannot be had, times will do."""
+    try:
+        machine.ensure("price")
+    except Problem as problem:
+        print(f"valgrind cannot be had here ({problem}): times will be shown for counts of instructions")
 
 
 def price_table(stress: pathlib.Path, price: pathlib.Path) -> str:
