@@ -7,6 +7,7 @@ set(LANTERN_FLOOR_0
   centered
   basis
   double_double
+  exact_sign
   exact_sum
   halton
   hash

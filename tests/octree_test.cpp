@@ -16,6 +16,7 @@
 
 using lantern::aabb;
 using lantern::octree;
+using lantern::sphere;
 
 static_assert(lantern::accelerator<octree> && lantern::accelerator<octree, lantern::timed_ray>);
 static_assert(std::is_constructible_v<octree, std::vector<lantern::sphere>>);
@@ -70,4 +71,12 @@ TEST_CASE("octree: options that cannot be are refused") {
     const std::vector<aabb> boxes(3);
     CHECK_THROWS_WITH(octree(boxes, {.max_depth = 65}), containing("max_depth is 65"));
     CHECK_THROWS_WITH(octree(boxes, {.max_entries_per_surface = 0}), containing("max_entries_per_surface"));
+}
+
+TEST_CASE("octree: a scene too long for float to add up its sides loses nothing at its end") {
+    const std::vector<sphere> spheres{{{0, 0, 0}, 1}, {{1e20f, 1e20f, -1e20f}, 1}, {{5, 5, 5}, 1}, {{-5, 5, 5}, 1}, {{5, -5, 5}, 1}, {{5, 5, 8}, 1}};
+    const octree tree(spheres, {.leaf_size = 1});
+    const auto h = closest(tree, spheres, lantern::ray{{5, 5, 20}, {0, 0, -1}});
+    REQUIRE(h);
+    CHECK(h->index == 5);
 }

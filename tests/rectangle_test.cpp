@@ -141,3 +141,8 @@ TEST_CASE("a ray that leaves a rectangle does not meet it again, and one towards
         REQUIRE(intersect(s, ray{leave(*h, h->normal), -h->normal}, interval{}));
     }
 }
+
+TEST_CASE("a rectangle far away, and thinner than rounding there, is not met a universe away from itself") {
+    const lantern::rectangle s{{-3, 0, -2.18173e24f}, {9.55089e-39f, 0, 4}, {0, 0, 5.5f}};  // found by fuzzing
+    CHECK_FALSE(intersect(s, lantern::ray{{5.5f, 5.5f, 5.5f}, {5.5f, -1.125f, -1}}, lantern::interval{}));
+}

@@ -55,7 +55,7 @@ TEST_CASE("a packet decides as its triangles do alone, in any direction, through
             r.direction[static_cast<int>(d.below(3))] = d.below(2) == 0 ? 1.0f : -1.0f;
             r.origin = t.a - 2.0f * r.direction;
         }
-        const std::uint32_t lanes = passes_through(p, sheared_ray(r));
+        const std::uint32_t lanes = passes_through(p, sheared_ray(r, 3));
         for (std::uint32_t k = 0; k < 4; ++k) {
             // Ahead of the origin or behind it: a line passes through either way.
             const bool alone = intersect(p[k], r, lantern::interval{}) || intersect(p[k], ray{r.origin, -r.direction}, lantern::interval{});
@@ -66,15 +66,32 @@ TEST_CASE("a packet decides as its triangles do alone, in any direction, through
     CHECK(hits > 5000);
 }
 
-TEST_CASE("slots that are empty, or hold a point, are never met") {
+TEST_CASE("slots that are empty are never met, and a point is no triangle") {
     dice d{.state = 3};
     for (int i = 0; i < 2000; ++i) {
         triangle_packet p;
         const glm::vec3 point = d.in_cube();
-        p.set(1, {point, point, point}, 0);
         const glm::vec3 o = d.in_cube(3);
-        REQUIRE(passes_through(p, sheared_ray({o, point - o})) == 0);
-        REQUIRE(passes_through(p, sheared_ray({o, -o})) == 0);
-        REQUIRE(passes_through(p, sheared_ray({point - glm::vec3(1, 0, 0), {1, 0, 0}})) == 0);
+        for (const ray& r : {ray{o, point - o}, ray{o, -o}, ray{point - glm::vec3(1, 0, 0), {1, 0, 0}}})
+            REQUIRE(passes_through(p, sheared_ray(r, 1)) == 0);
+        p.set(1, {point, point, point}, 0);
+        REQUIRE((passes_through(p, sheared_ray({o, point - o}, 1)) & 0b1101u) == 0);
+        REQUIRE_FALSE(intersect(p[1], ray{o, point - o}, lantern::interval{}));
     }
+}
+
+TEST_CASE("what is clearly passed is not offered") {
+    dice d{.state = 4};
+    int offered = 0;
+    for (int i = 0; i < 5000; ++i) {
+        triangle_packet p;
+        for (std::uint32_t k = 0; k < 4; ++k) p.set(k, random_triangle(d, 1e-3), k);
+        const ray r{d.in_cube(3), d.in_cube()};
+        const std::uint32_t lanes = passes_through(p, sheared_ray(r, 1.01f));
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const bool alone = intersect(p[k], r, lantern::interval{}) || intersect(p[k], ray{r.origin, -r.direction}, lantern::interval{});
+            offered += (lanes >> k & 1) == 1 && !alone;
+        }
+    }
+    CHECK(offered < 20);
 }

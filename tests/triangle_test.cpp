@@ -4,6 +4,7 @@
 #include <lantern/surface.hpp>
 
 #include "catch.hpp"
+#include "closed_mesh.hpp"
 #include "oracle.hpp"
 
 #include <algorithm>
@@ -88,31 +89,9 @@ triangle random_triangle(dice& d, const glm::dvec3& center, double size) {
     return {vertex(), vertex(), vertex()};
 }
 
-/// A closed surface around the origin: an octahedron, each face divided in four so often, vertices pushed about.
-std::vector<triangle> closed_mesh(dice& d, int divisions, float scale) {
-    struct face {
-        glm::vec3 a, b, c;
-    };
-    std::vector<face> faces;
-    for (const float x : {-1.0f, 1.0f})
-        for (const float y : {-1.0f, 1.0f})
-            for (const float z : {-1.0f, 1.0f}) faces.push_back({{x, 0, 0}, {0, y, 0}, {0, 0, z}});
-    for (int i = 0; i < divisions; ++i) {
-        std::vector<face> finer;
-        for (const auto& [a, b, c] : faces) {
-            const glm::vec3 ab = 0.5f * (a + b), bc = 0.5f * (b + c), ca = 0.5f * (c + a);
-            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}});
-        }
-        faces = finer;
-    }
-    const std::uint64_t seed = d.bits();
-    const auto pushed = [&](glm::vec3 p) {  // the same for all faces that meet in p
-        const auto key = [](float x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::ldexp(x, 16))) & 0x1ffffu; };
-        dice at{seed ^ (key(p.x) << 34 | key(p.y) << 17 | key(p.z))};
-        return scale * glm::vec3(glm::normalize(glm::dvec3(p)) * (1.0 + 0.3 * at.unit()));
-    };
+std::vector<triangle> closed(dice& d, int divisions, float scale) {
     std::vector<triangle> mesh;
-    for (const auto& [a, b, c] : faces) mesh.push_back({pushed(a), pushed(b), pushed(c)});
+    for (const auto& [a, b, c] : closed_mesh(d, divisions, scale)) mesh.push_back({a, b, c});
     return mesh;
 }
 
@@ -240,7 +219,7 @@ TEST_CASE("nothing leaks out of a closed mesh, neither through its edges nor thr
     dice d{GENERATE(5u, 6u)};
     int leaked = 0;
     for (int k = 0; k < 6; ++k) {
-        const auto mesh = closed_mesh(d, 2, scale);  // 128 triangles
+        const auto mesh = closed(d, 2, scale);  // 128 triangles
         for (int i = 0; i < 300; ++i) {
             const triangle& s = mesh[d.below(static_cast<std::uint32_t>(mesh.size()))];
             const std::array<glm::vec3, 3> v{s.a, s.b, s.c};

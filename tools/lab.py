@@ -17,7 +17,7 @@ COMMANDS = {
     "The labs": ["status", "start", "watch", "check", "run", "hint", "compare", "solution", "reset", "list"],
     "For instructors": ["grade", "pack", "release"],
     "The machine": ["doctor", "setup"],
-    "For those who change Lantern": ["starters", "mutants", "bench", "report"],
+    "For those who change Lantern": ["starters", "mutants", "bench", "report", "stress"],
 }
 
 

@@ -17,20 +17,25 @@ NEEDS = {
     "build": ["compiler", "cmake", "ninja", "glm", "stb"],
     "test": ["catch2"],
     "grade": ["bubblewrap"],
-    "ci": ["clang", "tinyobj"],
+    "ci": ["clang", "tinyobj", "fuzzer", "matplotlib", "valgrind", "chromium"],
     "bench": ["embree", "matplotlib", "npm"],
+    "price": ["valgrind"],
+    "report": ["matplotlib", "valgrind"],
 }
-STANDS_ON = {"test": "build", "grade": "test", "ci": "grade", "bench": "build"}
+STANDS_ON = {"test": "build", "grade": "test", "ci": "grade", "bench": "build", "report": "build"}
 
 PACKAGES = {
     "apt": {"compiler": "g++", "cmake": "cmake", "ninja": "ninja-build", "glm": "libglm-dev", "stb": "libstb-dev",
             "catch2": "catch2", "bubblewrap": "bubblewrap", "clang": "clang-16", "tinyobj": "libtinyobjloader-dev",
-            "embree": "libembree-dev", "matplotlib": "python3-matplotlib", "npm": "npm"},
+            "fuzzer": "libclang-rt-16-dev", "valgrind": "valgrind", "embree": "libembree-dev",
+            "matplotlib": "python3-matplotlib", "npm": "npm", "chromium": "chromium"},
     "dnf": {"compiler": "gcc-c++", "cmake": "cmake", "ninja": "ninja-build", "glm": "glm-devel",
             "stb": "stb_image_write-devel", "catch2": "catch-devel", "bubblewrap": "bubblewrap", "clang": "clang",
-            "tinyobj": "tinyobjloader-devel", "matplotlib": "python3-matplotlib", "npm": "npm"},
+            "tinyobj": "tinyobjloader-devel", "fuzzer": "compiler-rt", "valgrind": "valgrind",
+            "matplotlib": "python3-matplotlib", "npm": "npm", "chromium": "chromium"},
     "pacman": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "stb": "stb", "catch2": "catch2",
-               "bubblewrap": "bubblewrap", "clang": "clang", "tinyobj": "tinyobjloader", "matplotlib": "python-matplotlib", "npm": "npm"},
+               "bubblewrap": "bubblewrap", "clang": "clang", "tinyobj": "tinyobjloader", "fuzzer": "compiler-rt",
+               "valgrind": "valgrind", "matplotlib": "python-matplotlib", "npm": "npm", "chromium": "chromium"},
     "brew": {"compiler": "gcc", "cmake": "cmake", "ninja": "ninja", "glm": "glm", "catch2": "catch2", "clang": "llvm",
              "tinyobj": "tinyobjloader", "matplotlib": "python-matplotlib", "npm": "node"},
 }
@@ -39,8 +44,9 @@ PACKAGES = {
 SPARED = {"glm": "CMake will fetch its sources", "stb": "CMake will fetch its sources",
           "catch2": "CMake will fetch its sources", "tinyobj": "<lantern/obj.hpp> is left out",
           "bubblewrap": "./lab grade then refuses what it is not told to trust",
-          "embree": "./lab bench trace does without", "matplotlib": "./lab bench trace --plot does not work",
-          "npm": "./lab bench trace --dragon does not work"}
+          "fuzzer": "nothing is fuzzed but the kept seeds", "valgrind": "instructions are not counted",
+          "embree": "./lab bench trace does without", "matplotlib": "no plots are drawn",
+          "npm": "./lab bench trace --dragon does not work", "chromium": "no browser looks at the report"}
 
 MINIMUM = {"cmake": (3, 25)}
 CLANGS = ["clang++-16", "clang++", "clang++-20", "clang++-19", "clang++-18", "clang++-17", "clang++-15", "clang++-14"]
@@ -129,11 +135,23 @@ def clang() -> str | None:
 
 
 def plotter() -> str | None:
-    """A Python that has matplotlib: this one, or the system's."""
+    """A Python that has matplotlib: this one, or the system's, to which its packages belong."""
     for python in (sys.executable, "/usr/bin/python3"):
         if process.capture([python, "-c", "import matplotlib"])[0] == 0:
             return python
     return None
+
+
+def browser() -> str | None:
+    """A Chromium, for looking at pages without a window."""
+    return next((path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None)
+
+
+def fuzzes(path: str | None) -> bool:
+    """Whether this Clang has libFuzzer."""
+    source = 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
+    command = [path or "clang++", "-fsanitize=fuzzer", "-x", "c++", "-", "-o", os.devnull]
+    return path is not None and process.capture(command, source)[0] == 0
 
 
 def look(*levels: str) -> list[Finding]:
@@ -169,8 +187,12 @@ def look(*levels: str) -> list[Finding]:
                 finding.found = process.capture([path, "--version"])[1].splitlines()[0]
         elif need == "matplotlib":
             finding.found = plotter() or ""
-        elif need == "npm":
+        elif need == "chromium":
+            finding.found = browser() or ""
+        elif need in ("npm", "valgrind"):
             finding.found = shutil.which(need) or ""
+        elif need == "fuzzer":
+            finding.found = "found" if fuzzes(clang()) else ""
         elif f"found_{need}" in probe:
             finding.found = "found"
         elif not cxx:

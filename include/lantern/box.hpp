@@ -53,7 +53,7 @@ inline void validate(const box& b) {
     const double side = enters == (r.direction[axis] > 0) ? -1 : 1;
 
     const glm::dvec3 along = precise::at(r, t);
-    if (std::isnan(along.x + along.y + along.z)) return std::nullopt;  // of the ray's own making
+    if (!precise::fits(precise::size(along))) return std::nullopt;  // NaN, of the ray's own making, too
     precise::hit h{t, glm::clamp(along, min, max), glm::dvec3(0), 0};
     h.point[axis] = side < 0 ? min[axis] : max[axis];  // on the face, exactly
     h.normal[axis] = side;

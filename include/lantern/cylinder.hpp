@@ -80,7 +80,8 @@ inline void validate(const cylinder& s) {
     if (!enters && !contains(range, far)) return std::nullopt;
     const double t = enters ? near : far;
     const glm::dvec3 local = f + t * r.direction, unit = axis / axis_length;
-    const double rounding = 0x1p-49 * (precise::size(base) + precise::size(axis) + radius);
+    const double size = precise::size(base) + precise::size(axis) + radius, rounding = 0x1p-49 * size;
+    if (!precise::fits(size)) return std::nullopt;
     if (enters ? enters_tube : leaves_tube) {
         const double along = std::clamp(glm::dot(local, axis) / axis2, 0.0, 1.0);
         const glm::dvec3 outwards = local - glm::dot(local, unit) * unit;

@@ -51,8 +51,9 @@ inline void validate(const disk& s) {
     const glm::dvec3 from_center = (r.origin - c) + t * r.direction;
     if (!(glm::dot(from_center, from_center) <= radius * radius && radius < infinity)) return std::nullopt;
     const glm::dvec3 unit = n / glm::length(n), on = from_center - glm::dot(from_center, unit) * unit;
-    const double error = 0x1p-50 * (precise::size(c) + precise::size(on));
-    return precise::hit{t, c + on, unit, error};
+    const double size = precise::size(c) + precise::size(on);
+    if (!precise::fits(size)) return std::nullopt;
+    return precise::hit{t, c + on, unit, 0x1p-50 * size};
 }
 
 }  // namespace lantern

@@ -103,11 +103,12 @@ public:
 private:
     [[nodiscard]] static std::uint32_t bits_set(std::uint32_t x) { return static_cast<std::uint32_t>(std::popcount(x)); }
 
-    // With its lower corner at that of the box: what is flat then lies in a face of every cell, not amidst them.
+    // With its lower corner at that of the box: what is flat then lies in a face of every cell, not amidst them. Where the sides
+    // are too different for float to add, no corner of the box may be left outside.
     static aabb cube_around(const aabb& box) {
         const glm::vec3 size = 0.5f * box.max - 0.5f * box.min;
         const float half = std::max({size.x, size.y, size.z});
-        return {box.min, glm::min((box.min + half) + half, glm::vec3(std::numeric_limits<float>::max()))};
+        return {box.min, glm::max(box.max, glm::min((box.min + half) + half, glm::vec3(std::numeric_limits<float>::max())))};
     }
 
     static aabb octant_of(const aabb& cell, std::uint32_t octant) {

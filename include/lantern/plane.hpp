@@ -58,8 +58,9 @@ namespace precise {
     const double t = precise::meet_plane(r, q, n);
     if (!contains(range, t)) return std::nullopt;
     const glm::dvec3 along = precise::at(r, t), unit = n / glm::length(n);
-    const double error = 0x1p-50 * (precise::size(q) + precise::size(along));
-    return precise::hit{t, along - glm::dot(along - q, unit) * unit, unit, error};
+    const double size = precise::size(q) + precise::size(along);
+    if (!precise::fits(size)) return std::nullopt;
+    return precise::hit{t, along - glm::dot(along - q, unit) * unit, unit, 0x1p-50 * size};
 }
 
 }  // namespace lantern

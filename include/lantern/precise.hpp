@@ -39,6 +39,9 @@ struct hit {
 /// |x| + |y| + |z|: the size of a vector for the purposes of an error bound.
 [[nodiscard]] inline double size(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
+/// Whether something of this size can be rounded to float. A hit beyond that is none.
+[[nodiscard]] inline bool fits(double size) { return size < 0x1p128; }
+
 [[nodiscard]] inline ray widen(const lantern::ray& r) { return {glm::dvec3(r.origin), glm::dvec3(r.direction)}; }
 [[nodiscard]] inline timed_ray widen(const lantern::timed_ray& r) {
     return {{glm::dvec3(r.origin), glm::dvec3(r.direction)}, double(r.time)};
@@ -69,6 +72,19 @@ template <class S, class Ray>
     if constexpr (requires { typename S::ready_ray; }) return typename S::ready_ray(r);
     else return r;
 }
+
+namespace precise {
+
+// What becomes of a hit that a primitive has found, for those that are asked so often that it matters: kept in double, or rounded
+// at once, before it has been put together.
+inline constexpr auto as_it_is = [](double t, const glm::dvec3& point, const glm::dvec3& normal, double error) {
+    return std::optional(hit{t, point, normal, error});
+};
+inline constexpr auto rounded_at_once = [](double t, const glm::dvec3& point, const glm::dvec3& normal, double error) {
+    return std::optional(lantern::hit{static_cast<float>(t), glm::vec3(point), glm::vec3(normal), static_cast<float>(error)});
+};
+
+}  // namespace precise
 
 /// A precise surface meets an ordinary ray: widened, intersected in double, rounded once.
 template <class S, std::derived_from<ray> Ray>

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -36,8 +37,9 @@ inline void validate(const rectangle& s) {
         refuse("rectangle: v", to_text(s.v), "not parallel to u = " + to_text(s.u));
 }
 
-/// Rounded outwards.
+/// Rounded outwards; empty when a number is not finite.
 [[nodiscard]] inline aabb bounds(const rectangle& s) {
+    if (!(is_finite(s.corner) && is_finite(s.u) && is_finite(s.v))) return {};
     const aabb u = moved(aabb{s.corner, s.corner}, s.u);
     const aabb edge = enclose(u, s.corner);
     return enclose(edge, moved(edge, s.v));
@@ -59,9 +61,23 @@ inline void validate(const rectangle& s) {
     const double per_n = rounding / std::sqrt(nn), doubt_alpha = per_n * precise::size(v), doubt_beta = per_n * precise::size(u);
     if (!(alpha >= -doubt_alpha && alpha <= 1 + doubt_alpha && beta >= -doubt_beta && beta <= 1 + doubt_beta))
         return std::nullopt;
-    const double a = glm::clamp(alpha, 0.0, 1.0), b = glm::clamp(beta, 0.0, 1.0);
-    const double error = 0x1p-50 * (precise::size(corner) + precise::size(u) + precise::size(v));
-    return precise::hit{t, corner + a * u + b * v, n / std::sqrt(nn), error};
+    glm::dvec3 on = glm::clamp(alpha, 0.0, 1.0) * u + glm::clamp(beta, 0.0, 1.0) * v;
+    const bool inside = alpha >= 0 && alpha <= 1 && beta >= 0 && beta <= 1;
+    if (!(inside && std::max(doubt_alpha, doubt_beta) < 0x1p-10)) {  // seldom; of thin ones α and β say little: how far is it?
+        double nearest = precise::size(p - on);
+        const auto along = [&](const glm::dvec3& from, const glm::dvec3& edge) {
+            const glm::dvec3 q = from + glm::clamp(glm::dot(p - from, edge) / glm::dot(edge, edge), 0.0, 1.0) * edge;
+            if (precise::size(p - q) < nearest) nearest = precise::size(p - q), on = q;
+        };
+        along(glm::dvec3(0), u);
+        along(glm::dvec3(0), v);
+        along(v, u);
+        along(u, v);
+        if (!(nearest <= 4 * rounding)) return std::nullopt;
+    }
+    const double size = precise::size(corner) + precise::size(u) + precise::size(v);
+    if (!precise::fits(size)) return std::nullopt;
+    return precise::hit{t, corner + on, n / std::sqrt(nn), 0x1p-50 * size};
 }
 
 }  // namespace lantern

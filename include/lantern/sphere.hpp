@@ -77,40 +77,83 @@ inline void validate(const sphere& s) {
     // Measured from the center, or from the ray's origin: whichever rounds less.
     const glm::dvec3 c(s.center), step = t * r.direction;
     const double from_center = precise::size(c) + radius, from_origin = precise::size(r.origin) + precise::size(step);
+    if (!precise::fits(from_center)) return std::nullopt;
     const glm::dvec3 point = from_origin < from_center ? r.origin + step : c + radius * normal;
     return precise::hit{t, point, s.radius < 0 ? -normal : normal, 0x1p-50 * std::min(from_center, from_origin)};
 }
 
-/// The discriminant from the distance of the ray's line to the center (Haines et al., Ray Tracing Gems, chapter 7), here as
-/// a R² - |f × d|², which needs no division; the roots without cancellation (Higham 2002, section 1.8). Where the error
-/// bounds say that the t rounded to float or the decision might be wrong, double-double decides: for rays that graze the
-/// outermost 2^-13 of the radius, or start nearer to the surface than 2^-15 of it. (Inlined always, for the widened ray to
-/// stay in registers.)
-[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const sphere& s, const precise::ray& r,
-                                                                               interval range) {
+namespace precise {
+
+/// The first of the roots of a t² - 2 b t + k that lies in the range, and what the sphere looks like there, handed to `make`; f is
+/// center - origin.
+template <class Make>
+[[nodiscard, gnu::always_inline]] inline auto meet(const sphere& s, const ray& r, const interval& range, const glm::dvec3& f, double a, double b,
+                                                   double k, double root, Make make) -> decltype(make(0.0, f, f, 0.0)) {
+    const double q = b >= 0 ? b + root : b - root;
+    double t = b >= 0 ? k / q : q / a;
+    if (!contains(range, t)) {
+        t = b >= 0 ? q / a : k / q;
+        if (!contains(range, t)) return std::nullopt;
+    }
+    const glm::dvec3 c(s.center), out = t * r.direction - f;  // of length R, but for an error e
+    const double radius = s.radius, size = precise::size(c) + std::abs(radius);
+    if (!fits(size)) return std::nullopt;
+    // By the arithmetic mean of R² and |out|² for their geometric mean, which leaves e² / 2.
+    const glm::dvec3 normal = (2 * radius / (radius * radius + glm::dot(out, out))) * out;
+    return make(t, c + radius * normal, normal, 0x1p-50 * size);
+}
+
+}  // namespace precise
+
+/// For rays that graze the outer part of the sphere, come from afar or start near its surface: the discriminant from the distance of
+/// the ray's line to the center (Haines et al., Ray Tracing Gems, chapter 7), here as a R² - |f × d|², which needs no division.
+/// Where the error bounds say that the t rounded to float or the decision might be wrong, double-double decides: for rays that
+/// graze the outermost 2^-13 of the radius, or start nearer to the surface than 2^-15 of it.
+[[nodiscard, gnu::noinline]] inline std::optional<precise::hit> intersect_with_care(const sphere& s, const precise::ray& r,
+                                                                                    const interval& range) {
     const glm::dvec3 c(s.center), d = r.direction, f = c - r.origin;
     const double radius = s.radius, rr = radius * radius;
     const double a = glm::dot(d, d), b = glm::dot(f, d), ff = glm::dot(f, f), k = ff - rr;  // k wrong by at most 2^-50 |f|²
-    if (b <= 0 && k > 0x1p-48 * ff && range.min >= 0) return std::nullopt;  // outside, and going away
-
     const glm::dvec3 m = glm::cross(f, d);
     const double arr = a * rr, discriminant = arr - glm::dot(m, m);  // wrong by 2^-48 a |f| R, unless |m| > 2 R |d|
     const bool root_is_right = discriminant > 0x1p-12 * arr && ff < 0x1p34 * rr;
     const bool k_is_right = std::abs(k) > 0x1p-14 * ff || (k < -0x1p-48 * ff && b > 0 && range.min >= 0);
     if (!(root_is_right && k_is_right)) {
         if (discriminant < -(0x1p-30 * arr + 0x1p-50 * a * ff)) return std::nullopt;
-        return intersect_in_doubt(s, precise::ray(r), range);
+        return intersect_in_doubt(s, r, range);
     }
-    const double root = std::sqrt(discriminant), q = b >= 0 ? b + root : b - root;
-    double t = b >= 0 ? k / q : q / a;
-    if (!contains(range, t)) {
-        t = b >= 0 ? q / a : k / q;
-        if (!contains(range, t)) return std::nullopt;
-    }
-    const glm::dvec3 out = t * d - f;  // of length R but for an error that one step of Newton's squares
-    const double per_radius = 1 / radius;
-    const glm::dvec3 normal = (per_radius * (1.5 - 0.5 * (per_radius * per_radius) * glm::dot(out, out))) * out;
-    return precise::hit{t, c + radius * normal, normal, 0x1p-50 * (precise::size(c) + std::abs(radius))};
+    return precise::meet(s, r, range, f, a, b, k, std::sqrt(discriminant), precise::as_it_is);
+}
+
+namespace precise {
+
+/// The roots of a t² - 2 b t + k without cancellation (Higham 2002, section 1.8). The discriminant is b² - a k where that is right,
+/// which is for rays within 500 radii that do not graze: to 2^-31 of itself, when it is more than 2^-18 of a |f|², so t to
+/// 2^-10 ulp of float. (Inlined always, for the widened ray to stay in registers.)
+template <class Make>
+[[nodiscard, gnu::always_inline]] inline auto find_hit(const sphere& s, const ray& r, const interval& range, Make make)
+    -> decltype(make(0.0, r.origin, r.origin, 0.0)) {
+    const glm::dvec3 d = r.direction, f = glm::dvec3(s.center) - r.origin;
+    const double b = glm::dot(f, d), ff = glm::dot(f, f), k = ff - double(s.radius) * double(s.radius);
+    if (b <= 0 && k > 0x1p-48 * ff && range.min >= 0) return std::nullopt;  // outside, and going away
+    const double a = glm::dot(d, d), aff = a * ff, discriminant = b * b - a * k;  // wrong by at most 2^-49 a (|f|² + R²)
+    if (discriminant > 0x1p-18 * aff && std::abs(k) > 0x1p-14 * ff) [[likely]]
+        return meet(s, r, range, f, a, b, k, std::sqrt(discriminant), make);
+    if (discriminant < -0x1p-46 * aff && k > 0) return std::nullopt;
+    const auto h = intersect_with_care(s, ray(r), range);
+    if (!h) return std::nullopt;
+    return make(h->t, h->point, h->normal, h->error);
+}
+
+}  // namespace precise
+
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const sphere& s, const precise::ray& r, interval range) {
+    return precise::find_hit(s, r, range, precise::as_it_is);
+}
+
+/// The same, rounded where it is made: it need not go through memory.
+[[nodiscard]] inline std::optional<hit> intersect(const sphere& s, const ray& r, interval range) {
+    return precise::find_hit(s, precise::widen(r), range, precise::rounded_at_once);
 }
 
 }  // namespace lantern

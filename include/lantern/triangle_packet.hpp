@@ -9,16 +9,25 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace lantern {
 
-/// Vertex by vertex, axis by axis, the four triangles' coordinates are neighbours: what one vector register takes. A
-/// packet of fewer than four is filled up with points, which no ray meets.
+/// Vertex by vertex, axis by axis, the four triangles' coordinates are neighbours: what one vector register takes. Slots that
+/// are not set hold NaN, which no ray meets.
 struct alignas(32) triangle_packet {
-    float vertex[3][3][4]{};     ///< [a, b or c][x, y or z][which triangle]
+    float vertex[3][3][4];     ///< [a, b or c][x, y or z][which triangle]
     std::uint32_t index[4]{};  ///< in the mesh
+
+    triangle_packet() {
+        for (auto& corner : vertex)
+            for (auto& axis : corner)
+                for (float& x : axis) x = std::numeric_limits<float>::quiet_NaN();
+    }
 
     [[nodiscard]] triangle operator[](std::size_t i) const {
         const auto corner = [&](std::size_t v) { return glm::vec3(vertex[v][0][i], vertex[v][1][i], vertex[v][2][i]); };
@@ -37,8 +46,11 @@ struct sheared_ray {
     std::size_t x, y, z;  ///< the axes; z is the one along which the direction is longest
     double ox, oy, oz;    ///< the origin along them
     double sx, sy;
+    double doubt;         ///< by how much at most an edge function may be wrong
 
-    explicit sheared_ray(const ray& r) {
+    /// `reach`: the largest coordinate of any triangle. With P the largest component of vertex - origin, sheared coordinates are
+    /// up to 2 P and wrong by 9 · 2^-53 P, hence the edge functions by less than 2^-46 P²: see `intersect` of a triangle.
+    sheared_ray(const ray& r, float reach) {
         const glm::dvec3 o(r.origin), d(r.direction), length = glm::abs(d);
         const int kz = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
         const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
@@ -51,11 +63,13 @@ struct sheared_ray {
         const double sz = 1 / d[kz];
         sx = -d[kx] * sz;
         sy = -d[ky] * sz;
+        const double farthest = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + double(reach);
+        doubt = 0x1p-46 * farthest * farthest;
     }
 };
 
-/// Which triangles the line of a finite ray passes through: bit i for triangle i. The same arithmetic, number by number, as in
-/// `intersect` of a single triangle, so it never decides otherwise; where along the ray the hit is, is left to that.
+/// Which triangles the line of a finite ray passes through: bit i for triangle i. Where rounding might decide it says yes, so it
+/// never says no to a triangle whose own `intersect` would be hit; which is so, and where, is left to that.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t passes_through(const triangle_packet& p, const sheared_ray& r) {
     struct {
         doubles x, y;
@@ -77,9 +91,10 @@ struct sheared_ray {
     difference_of_products(C.x, B.y, C.y, B.x, u);
     difference_of_products(A.x, C.y, A.y, C.x, v);
     difference_of_products(B.x, A.y, B.y, A.x, w);
-    const long_integers outside = ((u < 0) | (v < 0) | (w < 0)) & ((u > 0) | (v > 0) | (w > 0));
+    const doubles doubt = doubles{} + r.doubt;
+    const long_integers outside = ((u < -doubt) | (v < -doubt) | (w < -doubt)) & ((u > doubt) | (v > doubt) | (w > doubt));
     const doubles sum = u + v + w;
-    return lanes_of(long_integers(~outside & (sum != 0)));
+    return lanes_of(long_integers(~outside & (sum == sum)));
 }
 
 }  // namespace lantern

@@ -93,8 +93,8 @@ struct cone {
 /// Denser towards the axis, as the cosine (Malley: a point of the disk, raised to the hemisphere).
 [[nodiscard]] inline glm::vec3 to_cosine_hemisphere(glm::vec2 xi) {
     const glm::vec2 p = to_disk(xi);
-    const glm::dvec2 q(p);
-    return {p.x, p.y, static_cast<float>(std::sqrt(std::max(0.0, 1 - glm::dot(q, q))))};
+    const double r = 2 * std::max(std::abs(xi.x - 0.5), std::abs(xi.y - 0.5));  // exact, and of the rounded p it would not be
+    return {p.x, p.y, static_cast<float>(std::sqrt((1 - r) * (1 + r)))};
 }
 [[nodiscard]] inline float cosine_hemisphere_density(glm::vec3 direction) {
     return std::max(0.0f, direction.z) * std::numbers::inv_pi_v<float>;

@@ -289,11 +289,9 @@ public:
         blocks_.reserve(items.size() * 2);
         const auto packet = [&](const wide::builder::branch& b) {
             triangle_packet p;
-            for (std::uint32_t i = 0; i < wide::builder::leaf_size; ++i) {
-                const bool there = i < b.count;
-                const std::uint32_t index = items[b.first + (there ? i : 0)].index;
-                const triangle t = begin[index];
-                p.set(i, there ? t : triangle{t.a, t.a, t.a}, index);
+            for (std::uint32_t i = 0; i < b.count; ++i) {
+                const std::uint32_t index = items[b.first + i].index;
+                p.set(i, begin[index], index);
             }
             return p;
         };
@@ -434,7 +432,7 @@ private:
         if (blocks_.empty() || empty(range)) return;
         const wide::box_ray r(ray, reach_);
         if (!r.usable) return;
-        const sheared_ray sheared(ray);
+        const sheared_ray sheared(ray, reach_);
         const float min = range.min * r.per_unit;
         float max = range.max * r.per_unit;
 

@@ -12,7 +12,7 @@ SUMMARY = "tell what this machine has and lacks"
 USAGE = "doctor"
 FOR = {need: level for level, needs in machine.NEEDS.items() for need in needs}
 PURPOSE = {"build": "", "test": "for ./lab test and check", "grade": "for ./lab grade alone", "ci": "for .ci/run alone",
-           "bench": "for ./lab bench trace alone"}
+           "bench": "for ./lab bench trace alone", "price": "for ./lab stress --price alone", "report": "for ./lab report alone"}
 
 
 def run(arguments: list[str]) -> int:
