@@ -63,7 +63,7 @@ TEST_CASE("of floats far apart in size the sign is right") {
         const wide3 p = widened(glm::vec3(a)) - widened(glm::vec3(o)), q = widened(glm::vec3(b)) - widened(glm::vec3(o));
         const wide3 terms = cross(p, q);
         const wide truth = dot(widened(glm::vec3(way)), terms);
-        const wide doubt = static_cast<wide>(1e-27) * length(p) * length(q) * length(widened(glm::vec3(way)));
+        const wide doubt = static_cast<wide>(1e-25) * length(p) * length(q) * length(widened(glm::vec3(way)));
         if (magnitude(truth) <= doubt) continue;
         const double got = triple_product(way, o, a, b);
         REQUIRE(static_cast<double>(magnitude(static_cast<wide>(got) / truth - 1)) < 1e-6);
