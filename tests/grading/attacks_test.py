@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 import labs  # noqa: E402
-from grading import archive, kit, submission  # noqa: E402
+from grading import kit, submission  # noqa: E402
 from grading.sandbox import Sandbox  # noqa: E402
 
 ATTACKS = pathlib.Path(__file__).parent / "attacks"

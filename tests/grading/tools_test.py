@@ -19,9 +19,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 import labs  # noqa: E402
+import macros  # noqa: E402
 import ppm_to_png  # noqa: E402
 from commands import release  # noqa: E402
-from grading import archive, kit, macros, mistakes, overview, pictures, report, scheme, term  # noqa: E402
+from grading import archive, kit, mistakes, overview, pictures, report, scheme, term  # noqa: E402
 from grading.sandbox import Level  # noqa: E402
 
 LAB = labs.find("06")

@@ -6,6 +6,7 @@ import sys
 import textwrap
 
 import labs
+import macros
 import process
 import progress
 import student
@@ -43,6 +44,10 @@ def run(arguments: list[str]) -> int:
         print(json.dumps({"lab": lab.number, "steps": [as_json(step) for step in steps]}))
     else:
         tell(lab, steps, wish.solution)
+        left = macros.left_behind(lab.student_file.read_text(encoding="utf-8", errors="replace")) if not wish.solution else []
+        if left:
+            print(f"\nYour header leaves macros behind ({', '.join(left[:5])}), which change every file that includes it. Courses that grade refuse it:\n"
+                  "take constexpr values and functions instead, or #undef them at the end. An include guard may stay.")
     return 0 if passed else 1
 
 

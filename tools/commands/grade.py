@@ -8,7 +8,7 @@ import sys
 import machine
 import process
 import student
-from grading import kit, mistakes, sandbox, submission, term
+from grading import kit, mistakes, submission, term
 from labs import ROOT
 
 SUMMARY = "grade many submissions, in a sandbox"

@@ -9,9 +9,10 @@ import shutil
 import tempfile
 import time
 
+import macros
 import student
 import verdict
-from grading import archive, macros, pictures, scheme
+from grading import archive, pictures, scheme
 from grading.kit import CODE, COMPILING, COMPILING_PROGRAM, KIT, OUT, WORKING, Kit
 from grading.sandbox import Sandbox
 from labs import Problem

@@ -2,6 +2,7 @@
 """Grading many submissions: in parallel, each written as soon as it is done, so that a run that was killed goes on where it was."""
 
 import fcntl
+import hashlib
 import json
 import os
 import pathlib
@@ -14,7 +15,6 @@ import threading
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 
-import hashlib
 from grading import archive, mistakes, overview, report, submission
 from grading.kit import Kit
 from grading.sandbox import Sandbox
