@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Does every structure find what brute force finds? Random and adversarial rays, a million for each family of scenes, still ones
 // and moving ones. The tests ask the same of the same scenes with fewer rays.
-//     agreement [--rays N] [--threads N] [--seed N] [--csv | --json] [--check]
+//     agreement [--rays N] [--threads N] [--seed N] [--scene NAME] [--csv | --json] [--check]
 
 #include "accelerator_scenes.hpp"
 #include "meshes.hpp"
@@ -20,6 +20,7 @@
 #include <lantern/ray.hpp>
 #include <lantern/render.hpp>
 #include <lantern/triangle.hpp>
+#include <lantern/validate.hpp>
 #include <lantern/wide_bvh.hpp>
 
 #include <algorithm>
@@ -45,6 +46,7 @@ struct options : bench::output {
     std::uint64_t rays = 1'000'000;
     std::uint64_t seed = 1;
     unsigned threads = 0;
+    std::string scene;  ///< only this one
 };
 
 struct outcome {
@@ -117,10 +119,11 @@ outcome examine(const std::string& scene, const Surfaces& surfaces, const std::v
 
 std::vector<outcome> examine_all(const options& wish) {
     std::vector<std::function<outcome()>> tasks;
+    const auto wished = [&](const std::string& name) { return wish.scene.empty() || wish.scene == name; };
     for (const auto& s : accelerator_laws::scenes())
-        tasks.push_back([=] { return examine<lantern::ray>(s.name, s.surfaces, witnesses<lantern::ray>(s.name, s.surfaces), false, wish); });
+        if (wished(s.name)) tasks.push_back([=] { return examine<lantern::ray>(s.name, s.surfaces, witnesses<lantern::ray>(s.name, s.surfaces), false, wish); });
     for (const auto& s : accelerator_laws::moving_scenes())
-        tasks.push_back([=] {
+        if (wished(s.name)) tasks.push_back([=] {
             auto all = witnesses<lantern::timed_ray>(s.name, s.surfaces);
             all.push_back(witness_of<lantern::timed_ray>(s.name, "bvh of moving boxes", s.surfaces, bvh<lantern::moving_aabb>(s.surfaces)));
             return examine<lantern::timed_ray>(s.name, s.surfaces, all, false, wish);
@@ -131,11 +134,12 @@ std::vector<outcome> examine_all(const options& wish) {
                                                                        {"mesh: slivers", meshes::slivers(150)},
                                                                        {"mesh: tiny sphere", meshes::placed(meshes::sphere(6), 1e-15f)}}};
     for (const auto& [name, m] : meshes)
-        tasks.push_back([=, name = name, m = m] {
+        if (wished(name)) tasks.push_back([=, name = name, m = m] {
             auto all = witnesses<lantern::ray>(name, m);
             all.push_back(witness_of<lantern::ray>(name, "wide_bvh", m, lantern::wide_bvh(m, {.threads = 1})));
             return examine<lantern::ray>(name, m, all, true, wish);  // wide_bvh looks only ahead
         });
+    if (tasks.empty()) lantern::refuse("--scene", "'" + wish.scene + "'", "the name of a family of scenes");
     std::vector<outcome> all(tasks.size());
     lantern::in_parallel(tasks.size(), wish.threads, [&](std::size_t i) { all[i] = tasks[i](); });
     return all;
@@ -191,9 +195,10 @@ bool passes(const std::vector<outcome>& all) {
 }
 
 options parse(int argc, char** argv) {
-    return bench::parse<options>(argc, argv, "--rays N, --threads N, --seed N", [](options& o, std::string_view word, auto next) {
+    return bench::parse<options>(argc, argv, "--rays N, --threads N, --seed N, --scene NAME", [](options& o, std::string_view word, auto next) {
         if (word == "--rays") o.rays = bench::number<std::uint64_t>(word, next(), 1);
         else if (word == "--threads") o.threads = bench::number<unsigned>(word, next(), 1);
+        else if (word == "--scene") o.scene = next();
         else if (word == "--seed") o.seed = bench::number<std::uint64_t>(word, next(), 0);
         else return false;
         return true;

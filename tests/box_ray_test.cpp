@@ -67,6 +67,8 @@ TEST_CASE("box_ray: the range cuts the ray, and rounding t to float does not los
         CHECK_FALSE(meets(box, ray{{0, 0, 5}, {0, 0, length}}, {}));
         CHECK(meets(box, ray{{0, 0, 5}, {0, 0, length}}, {-4.5f / length, 1 / length}));
         CHECK_FALSE(meets(box, ray{{0, 0, 5}, {0, 0, length}}, {-3.9f / length, 1 / length}));
+        CHECK(meets(box, ray{{0, 0, 5}, {0, 0, length}}, {-lantern::infinity, 0}));
+        CHECK(meets(box, r, {-lantern::infinity, lantern::infinity}));
     }
     dice d{8};
     for (int i = 0; i < count; ++i) {  // a flat box, and a range that ends where it is hit: t rounded, up or down

@@ -304,3 +304,16 @@ TEST_CASE("a ray that leaves a triangle does not meet it again, and one that com
     CHECK(again == 0);
     CHECK(lost == 0);
 }
+
+TEST_CASE("a tiny triangle is not met by a ray that passes far beside it, however far away") {
+    dice d{.state = 31};
+    for (int i = 0; i < 200'000; ++i) {
+        const glm::vec3 p = 1e-3f * d.in_cube();
+        const lantern::triangle s{p, p + d.in_cube(1e-7), p + d.in_cube(1e-7)};
+        lantern::ray r{d.magnitude_between(5, 8) * d.in_cube(), {}};
+        r.direction[int(d.below(3))] = 1;
+        const glm::vec3 away = glm::abs(glm::cross(r.direction, r.origin - p));
+        if (std::max({away.x, away.y, away.z}) < 1) continue;
+        REQUIRE_FALSE(intersect(s, r, {-lantern::infinity, lantern::infinity}));
+    }
+}

@@ -55,7 +55,9 @@ def against_size(data: dict, folder: pathlib.Path) -> bool:
               if len({row["triangles"] for row in rows if row["scene"] == s}) >= 3]
     if not scenes:
         return False
-    figure, axes = plt.subplots(2, len(scenes), figsize=(4.2 * len(scenes), 8), squeeze=False, sharex="col", sharey="row")
+    figure, axes = plt.subplots(2, len(scenes), figsize=(4.2 * len(scenes), 8), squeeze=False, sharex="col")
+    for panel in axes[0][1:]:
+        panel.sharey(axes[0][0])
     for column, scene in enumerate(scenes):
         here = [row for row in rows if row["scene"] == scene]
         cost, visits = axes[0][column], axes[1][column]
@@ -70,12 +72,12 @@ def against_size(data: dict, folder: pathlib.Path) -> bool:
                 visits.plot(sizes, [fit["a"] + fit["b"] * math.log2(n) for n in sizes], color=style(name)["color"], linewidth=1,
                             label=f"{name}: {fit['a']:.1f} {fit['b']:+.2f} log$_2$ N, R² = {fit['r2']:.3f}")
         visits.set(xscale="log", xlabel="surfaces N")
-        visits.set_ylim(0, max([60.0] + [y for name, points in curves(here, lambda row: row["nodes"]).items()
-                                         if name != "bvh of spheres" for _, y in points]) * 1.9)
+        visits.set_ylim(0, 1.8 * max(row["nodes"] for row in here))  # room for the legend
         visits.legend(fontsize=6, loc="upper left")
     axes[0][0].set_ylabel("ns a primary ray, one thread")
     axes[1][0].set_ylabel("nodes a primary ray looks at,\nand the line through log N")
-    axes[0][-1].legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
+    lines = {label: line for panel in axes[0] for line, label in zip(*panel.get_legend_handles_labels())}
+    axes[0][-1].legend(lines.values(), lines.keys(), fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
     save(figure, folder, "trace_size")
     return True
 

@@ -51,7 +51,7 @@ public:
 
     /// From now on, only what is met up to t = `max` counts.
     void shorten(float max) {
-        const double far = (max - start_ - 0x1p-23 * start_ + 0x1p-149) * per_unit_;  // a hit's t may have been rounded down to max
+        const double far = (max - start_ + 0x1p-149) * per_unit_;  // a hit's t may have been rounded down to max
         far_ = far < infinity ? static_cast<float>(far) * longer : infinity;
     }
 

@@ -90,11 +90,11 @@ template <class A, std::ranges::random_access_range Surfaces, std::derived_from<
                                              interval range = {}, Probe&& counter = {}) {
     std::optional<nearest> best;
     const auto ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
-    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) __attribute__((always_inline)) -> interval {
         const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         if (!h || !contains(remaining, h->t)) return remaining;  // an answer outside the range, or NaN, is none
-        const nearest found{rounded(*h), i};
-        if (!best || found.t < best->t || (found.t == best->t && i < best->index)) best = found;
+        const auto t = static_cast<float>(h->t);
+        if (!best || t < best->t || (t == best->t && i < best->index)) best = nearest{rounded(*h), i};
         return {remaining.min, best->t};
     }, counter);
     return best;
@@ -107,7 +107,7 @@ template <class A, std::ranges::random_access_range Surfaces, std::derived_from<
                             Probe&& counter = {}) {
     bool found = false;
     const auto ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
-    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) __attribute__((always_inline)) -> interval {
         const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         found = found || (h && contains(remaining, h->t));
         return found ? interval{0, 0} : remaining;
