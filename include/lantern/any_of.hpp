@@ -36,9 +36,9 @@ template <class... Surfaces, std::derived_from<precise::ray> Ray>
     return std::visit([&](const auto& which) { return intersect(which, r, range); }, s.value);
 }
 
-/// For alternatives of which some answer in float only: a user's own.
+/// Each in its own way: rounded where it finds a hit, or in float altogether, as a user's own may be.
 template <class... Surfaces, std::derived_from<ray> Ray>
-    requires((surface<Surfaces, Ray> && ...) && !(precise_surface<Surfaces, decltype(precise::widen(Ray{}))> && ...))
+    requires(surface<Surfaces, Ray> && ...)
 [[nodiscard]] std::optional<hit> intersect(const any_of<Surfaces...>& s, const Ray& r, interval range) {
     return std::visit([&](const auto& which) { return intersect(which, r, range); }, s.value);
 }

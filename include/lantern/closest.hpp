@@ -89,8 +89,8 @@ template <class A, std::ranges::random_access_range Surfaces, std::derived_from<
 [[nodiscard]] std::optional<nearest> closest(const A& structure, const Surfaces& surfaces, const Ray& r,
                                              interval range = {}, Probe&& counter = {}) {
     std::optional<nearest> best;
-    const auto ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
-    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) __attribute__((always_inline)) -> interval {
+    const auto& ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
         const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         if (!h || !contains(remaining, h->t)) return remaining;  // an answer outside the range, or NaN, is none
         const auto t = static_cast<float>(h->t);
@@ -106,8 +106,8 @@ template <class A, std::ranges::random_access_range Surfaces, std::derived_from<
 [[nodiscard]] bool occluded(const A& structure, const Surfaces& surfaces, const Ray& r, interval range,
                             Probe&& counter = {}) {
     bool found = false;
-    const auto ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
-    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) __attribute__((always_inline)) -> interval {
+    const auto& ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
         const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         found = found || (h && contains(remaining, h->t));
         return found ? interval{0, 0} : remaining;

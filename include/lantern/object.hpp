@@ -32,9 +32,9 @@ template <class Shape, class Material, std::derived_from<precise::ray> Ray>
     return intersect(o.shape, r, range);
 }
 
-/// For shapes that answer in float only: a user's own.
+/// In the shape's own way: rounded where it finds a hit, or in float altogether, as a user's own may be.
 template <class Shape, class Material, std::derived_from<ray> Ray>
-    requires(surface<Shape, Ray> && !precise_surface<Shape, decltype(precise::widen(Ray{}))>)
+    requires surface<Shape, Ray>
 [[nodiscard]] std::optional<hit> intersect(const object<Shape, Material>& o, const Ray& r, interval range) {
     return intersect(o.shape, r, range);
 }

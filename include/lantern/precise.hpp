@@ -63,14 +63,14 @@ concept precise_surface = requires(const S& s, const Ray& r, interval range) {
 [[nodiscard]] inline hit rounded(const precise::hit& h) {
     return {static_cast<float>(h.t), glm::vec3(h.point), glm::vec3(h.normal), static_cast<float>(h.error)};
 }
-[[nodiscard]] inline hit rounded(const hit& h) { return h; }
+[[nodiscard]] inline const hit& rounded(const hit& h) { return h; }
 
 /// What a ray is turned into before it meets many surfaces of one type: itself, unless the type names a `ready_ray` in which
 /// part of the work is done already.
 template <class S, class Ray>
-[[nodiscard]] auto ready_for(const Ray& r) {
+[[nodiscard]] decltype(auto) ready_for(const Ray& r) {
     if constexpr (requires { typename S::ready_ray; }) return typename S::ready_ray(r);
-    else return r;
+    else return (r);  // a reference
 }
 
 namespace precise {
