@@ -13,6 +13,7 @@ set(LANTERN_FLOOR_0
   image
   interval
   lanes
+  large_pages
   load
   ray
   samples
@@ -29,6 +30,7 @@ set(LANTERN_FLOOR_1
   aabb
   bounding_sphere
   bounding_volume
+  box_packet
   boxes_of
   camera
   filter
@@ -81,7 +83,9 @@ set(LANTERN_FLOOR_2
   sphere_light
   triangle
   triangle_packet
+  wide_build
   wide_bvh
+  wide_walk
   within
 )
 
