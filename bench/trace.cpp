@@ -32,6 +32,7 @@
 #include <ctime>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -87,9 +88,22 @@ public:
             return static_cast<double>(structure_.nodes().size_bytes() + structure_.indices().size_bytes());
     }
 
+    [[nodiscard]] const Structure& structure() const { return structure_; }
+
 private:
     const mesh& mesh_;
     Structure structure_;
+};
+
+/// wide_bvh with all rays handed in at once.
+class span_of_rays : public ours<lantern::wide_bvh> {
+public:
+    using ours::ours;
+    void closest(const std::vector<ray>& rays, answers& out) const override {
+        std::vector<std::optional<lantern::nearest>> hits(rays.size());
+        lantern::closest(structure(), rays, hits);
+        for (std::size_t i = 0; i < rays.size(); ++i) out[i] = hits[i] ? hits[i]->t : lantern::infinity;
+    }
 };
 
 #if defined(LANTERN_HAS_EMBREE)
@@ -171,6 +185,7 @@ std::vector<contender> contenders(const options& wish) {
         {"wide_bvh", [=](const mesh& m) {
              return std::make_unique<ours<lantern::wide_bvh>>(m, lantern::wide_bvh_options{.threads = threads});
          }},
+        {"wide_bvh span", [=](const mesh& m) { return std::make_unique<span_of_rays>(m, lantern::wide_bvh_options{.threads = threads}); }},
     };
 #if defined(LANTERN_HAS_EMBREE)
     all.push_back({"embree", [=](const mesh& m) { return std::make_unique<embree>(m, false, threads); }});
