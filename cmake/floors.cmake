@@ -14,6 +14,7 @@ set(LANTERN_FLOOR_0
   image
   interval
   lanes
+  large_pages
   load
   ray
   samples
@@ -31,6 +32,7 @@ set(LANTERN_FLOOR_1
   bounding_sphere
   bounding_volume
   box_ray
+  box_packet
   boxes_of
   camera
   filter
@@ -84,7 +86,9 @@ set(LANTERN_FLOOR_2
   sphere_light
   triangle
   triangle_packet
+  wide_build
   wide_bvh
+  wide_walk
   within
 )
 

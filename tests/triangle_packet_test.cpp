@@ -2,6 +2,7 @@
 #include <lantern/triangle_packet.hpp>
 
 #include <lantern/interval.hpp>
+#include <lantern/lanes.hpp>
 #include <lantern/precise.hpp>
 
 #include "catch.hpp"
@@ -39,6 +40,7 @@ TEST_CASE("a packet gives its triangles back as they were") {
 
 TEST_CASE("a packet decides as its triangles do alone, in any direction, through edges and vertices too") {
     dice d{.state = 2};
+    lantern::packet_hits ignored;
     int hits = 0;
     for (int i = 0; i < 20'000; ++i) {
         const double size = i % 3 == 0 ? 1e-3 : 1;
@@ -55,7 +57,7 @@ TEST_CASE("a packet decides as its triangles do alone, in any direction, through
             r.direction[static_cast<int>(d.below(3))] = d.below(2) == 0 ? 1.0f : -1.0f;
             r.origin = t.a - 2.0f * r.direction;
         }
-        const std::uint32_t lanes = passes_through(p, sheared_ray(r, 3));
+        const std::uint32_t lanes = passes_through(p, sheared_ray(r, 3), ignored);
         for (std::uint32_t k = 0; k < 4; ++k) {
             // Ahead of the origin or behind it: a line passes through either way.
             const bool alone = intersect(p[k], r, lantern::interval{}) || intersect(p[k], ray{r.origin, -r.direction}, lantern::interval{});
@@ -66,28 +68,58 @@ TEST_CASE("a packet decides as its triangles do alone, in any direction, through
     CHECK(hits > 5000);
 }
 
+TEST_CASE("where a packet is sure of t, the triangle says the same, bit by bit") {
+    dice d{.state = 4};
+    int sure = 0, unsure = 0;
+    for (int i = 0; i < 30'000; ++i) {
+        triangle_packet p;
+        for (std::uint32_t k = 0; k < 4; ++k) p.set(k, random_triangle(d, 1), k);
+        const triangle t = p[d.below(4)];
+        ray r{d.in_cube(3), {}};
+        r.direction = (t.a + t.b + t.c) / 3.0f - r.origin;
+        if (i % 3 == 0) r = {(t.a + t.b + t.c) / 3.0f, d.in_cube()};                    // from a triangle
+        if (i % 3 == 1) r = {t.a + 2.0f * (t.a - t.b) + 1e-6f * d.in_cube(), t.b - t.a};  // along an edge
+        lantern::packet_hits hits;
+        const sheared_ray sheared(r, 10);
+        const std::uint32_t lanes = passes_through(p, sheared, hits), decided = meets_plane(p, sheared, r, lanes, hits);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            if ((lanes >> k & 1) == 0) continue;
+            ((decided >> k & 1) != 0 ? sure : unsure) += 1;
+            if ((decided >> k & 1) == 0) continue;
+            const double at = hits.above[int(k)] / hits.speed[int(k)];
+            const auto alone = intersect(p[k], lantern::precise::widen(r), lantern::interval{});
+            REQUIRE(alone.has_value() == contains(lantern::interval{}, at));
+            if (alone) REQUIRE(alone->t == at);
+        }
+    }
+    CHECK(sure > 10'000);
+    CHECK(unsure > 100);  // or this would not have been tried
+}
+
 TEST_CASE("slots that are empty are never met, and a point is no triangle") {
     dice d{.state = 3};
+    lantern::packet_hits ignored;
     for (int i = 0; i < 2000; ++i) {
         triangle_packet p;
         const glm::vec3 point = d.in_cube();
         const glm::vec3 o = d.in_cube(3);
         for (const ray& r : {ray{o, point - o}, ray{o, -o}, ray{point - glm::vec3(1, 0, 0), {1, 0, 0}}})
-            REQUIRE(passes_through(p, sheared_ray(r, 1)) == 0);
+            REQUIRE(passes_through(p, sheared_ray(r, 1), ignored) == 0);
         p.set(1, {point, point, point}, 0);
-        REQUIRE((passes_through(p, sheared_ray({o, point - o}, 1)) & 0b1101u) == 0);
+        REQUIRE((passes_through(p, sheared_ray({o, point - o}, 1), ignored) & 0b1101u) == 0);
         REQUIRE_FALSE(intersect(p[1], ray{o, point - o}, lantern::interval{}));
     }
 }
 
 TEST_CASE("what is clearly passed is not offered") {
     dice d{.state = 4};
+    lantern::packet_hits ignored;
     int offered = 0;
     for (int i = 0; i < 5000; ++i) {
         triangle_packet p;
         for (std::uint32_t k = 0; k < 4; ++k) p.set(k, random_triangle(d, 1e-3), k);
         const ray r{d.in_cube(3), d.in_cube()};
-        const std::uint32_t lanes = passes_through(p, sheared_ray(r, 1.01f));
+        const std::uint32_t lanes = passes_through(p, sheared_ray(r, 1.01f), ignored);
         for (std::uint32_t k = 0; k < 4; ++k) {
             const bool alone = intersect(p[k], r, lantern::interval{}) || intersect(p[k], ray{r.origin, -r.direction}, lantern::interval{});
             offered += (lanes >> k & 1) == 1 && !alone;

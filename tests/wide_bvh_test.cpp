@@ -4,6 +4,7 @@
 #include <lantern/closest.hpp>
 #include <lantern/mesh.hpp>
 #include <lantern/ray.hpp>
+#include <lantern/surface.hpp>
 
 #include "catch.hpp"
 #include "meshes.hpp"
@@ -14,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using lantern::interval;
@@ -158,6 +160,72 @@ TEST_CASE("no ray leaves a closed mesh through its edges or vertices") {
     }
 }
 
+TEST_CASE("many rays at once get the answers that they get one by one") {
+    dice d{.state = 9};
+    for (const mesh& m : families()) {
+        const wide_bvh tree{m};
+        for (const std::size_t count : {0u, 1u, 15u, 16u, 17u, 2000u}) {
+            std::vector<ray> rays;
+            for (std::size_t i = 0; i < count; ++i) rays.push_back(adversarial(d, m, 1, glm::vec3(0)));
+            if (count > 20) {  // some go nowhere
+                rays[3].direction = glm::vec3(0);
+                rays[count - 1].origin.x = std::numeric_limits<float>::quiet_NaN();
+            }
+            const interval range = count == 15 ? interval{0.1f, 2} : interval{};
+            std::vector<std::optional<nearest>> hits(count, nearest{});
+            closest(tree, rays, hits, range);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto expected = closest(tree, rays[i], range);
+                INFO("ray " << i << ": expected " << shown(expected) << ", got " << shown(hits[i]));
+                REQUIRE(hits[i].has_value() == expected.has_value());
+                if (!expected) continue;
+                REQUIRE((hits[i]->t == expected->t && hits[i]->index == expected->index));
+                REQUIRE((hits[i]->point == expected->point && hits[i]->normal == expected->normal));
+            }
+        }
+    }
+    const wide_bvh nothing{std::vector<triangle>()};
+    std::vector<std::optional<nearest>> hits(2, nearest{});
+    closest(nothing, std::vector<ray>(2), hits);
+    CHECK((!hits[0] && !hits[1]));
+    CHECK_THROWS_WITH(closest(nothing, std::vector<ray>(3), hits), containing("the number of hits is 2, but must be that of the rays, 3"));
+}
+
+TEST_CASE("a tree is asked through its own functions, by whatever name") {
+    const mesh m = meshes::sphere(20);
+    const wide_bvh tree{m};
+    const ray r{{0, 0, 3}, {0.01f, 0.02f, -1}};
+    lantern::probe qualified, plain;
+    (void)lantern::closest(tree, m, r, interval{}, qualified);  // no mesh is looked at
+    (void)closest(tree, r, interval{}, plain);
+    CHECK((qualified.nodes == plain.nodes && qualified.offers == plain.offers));
+}
+
+TEST_CASE("rays that have just left a triangle do not meet it again") {
+    dice d{.state = 10};
+    for (const mesh& m : families()) {
+        const wide_bvh tree{m};
+        for (int i = 0; i < 2000; ++i) {
+            const auto h = closest(tree, adversarial(d, m, 1, glm::vec3(0)));
+            if (!h) continue;
+            const glm::vec3 way = d.in_cube();
+            check_same(tree, m, {leave(*h, way), way});
+        }
+    }
+}
+
+TEST_CASE("a copy of a tree, or what was moved from one, finds the same") {
+    const mesh m = meshes::terrain(60);
+    wide_bvh tree{m};
+    const wide_bvh copy = tree, moved = std::move(tree);
+    dice d{.state = 11};
+    for (int i = 0; i < 300; ++i) {
+        const ray r{{d.between(0, 1), 1, d.between(0, 1)}, d.in_cube()};
+        check_same(copy, m, r);
+        check_same(moved, m, r);
+    }
+}
+
 TEST_CASE("of triangles at the same place the first is taken") {
     const mesh one = meshes::soup(1, 0.5);
     const mesh m(one.vertices(), std::vector<glm::uvec3>(1000, glm::uvec3(0, 1, 2)));
@@ -248,8 +316,9 @@ TEST_CASE("a moment of the exposure changes nothing") {
 
 TEST_CASE("any number of threads builds the same tree") {
     const mesh m = meshes::terrain(120);
-    const wide_bvh one(m, {.threads = 1}), four(m, {.threads = 4});
+    const wide_bvh one(m, {.threads = 1}), four(m, {.threads = 4}), many(m, {.threads = 100});
     CHECK(one.bytes() == four.bytes());
+    CHECK(one.bytes() == many.bytes());
     dice d{.state = 7};
     for (int i = 0; i < 2000; ++i) {
         const ray r{{d.between(0, 1), 1, d.between(0, 1)}, d.in_cube()};

@@ -28,6 +28,7 @@
 #include <functional>
 #include <memory>
 #include <ranges>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -86,9 +87,20 @@ public:
     }
     [[nodiscard]] std::size_t bytes() const override { return bytes_of(structure_); }
 
-private:
+protected:
     const Surfaces& surfaces_;
     Structure structure_;
+};
+
+/// wide_bvh with all rays handed in at once.
+class span_of_rays : public ours<lantern::wide_bvh, mesh> {
+public:
+    span_of_rays(const mesh& m, lantern::wide_bvh tree) : ours(m, std::move(tree)) {}
+    void closest(std::span<const ray> rays, std::span<float> out) const override {
+        std::vector<std::optional<lantern::nearest>> hits(rays.size());
+        lantern::closest(structure_, rays, hits);
+        for (std::size_t i = 0; i < rays.size(); ++i) out[i] = hits[i] ? hits[i]->t : lantern::infinity;
+    }
 };
 
 /// The same with surfaces of its own, in the order of the tree.
@@ -218,6 +230,9 @@ template <class Surfaces>
     all.back().most = 50'000;
     all.push_back({"wide_bvh", [](const mesh& m, unsigned threads) {
                        return std::make_unique<ours<wide_bvh, mesh>>(m, wide_bvh(m, lantern::wide_bvh_options{.threads = threads}));
+                   }, true});
+    all.push_back({"wide_bvh span", [](const mesh& m, unsigned threads) {
+                       return std::make_unique<span_of_rays>(m, wide_bvh(m, lantern::wide_bvh_options{.threads = threads}));
                    }, true});
 #if defined(LANTERN_HAS_EMBREE)
     all.push_back({"embree", [](const mesh& m, unsigned threads) { return std::make_unique<embree>(m, false, threads); }, true});

@@ -3,13 +3,14 @@
 // Four triangles side by side, tested against one ray at once, by the exact rules of `triangle`.
 
 #include <lantern/lanes.hpp>
+#include <lantern/precise.hpp>
 #include <lantern/ray.hpp>
 #include <lantern/triangle.hpp>
 
-#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,81 +21,158 @@ namespace lantern {
 /// Vertex by vertex, axis by axis, the four triangles' coordinates are neighbours: what one vector register takes. Slots that
 /// are not set hold NaN, which no ray meets.
 struct alignas(32) triangle_packet {
-    float vertex[3][3][4];     ///< [a, b or c][x, y or z][which triangle]
+    float vertex[3 * 3 * 4];   ///< [a, b or c][x, y or z][which triangle]
     std::uint32_t index[4]{};  ///< in the mesh
 
-    triangle_packet() {
-        for (auto& corner : vertex)
-            for (auto& axis : corner)
-                for (float& x : axis) x = std::numeric_limits<float>::quiet_NaN();
-    }
+    triangle_packet() { std::ranges::fill(vertex, std::numeric_limits<float>::quiet_NaN()); }
 
     [[nodiscard]] triangle operator[](std::size_t i) const {
-        const auto corner = [&](std::size_t v) { return glm::vec3(vertex[v][0][i], vertex[v][1][i], vertex[v][2][i]); };
-        return {corner(0), corner(1), corner(2)};
+        const float* const v = vertex + i;
+        return {{v[0], v[4], v[8]}, {v[12], v[16], v[20]}, {v[24], v[28], v[32]}};
     }
     void set(std::size_t i, const triangle& t, std::uint32_t which) {
-        const glm::vec3* const corners[3] = {&t.a, &t.b, &t.c};
-        for (std::size_t v = 0; v < 3; ++v)
-            for (int axis = 0; axis < 3; ++axis) vertex[v][axis][i] = (*corners[v])[axis];
+        float* v = vertex + i;
+        for (const glm::vec3& corner : {t.a, t.b, t.c})
+            for (int axis = 0; axis < 3; ++axis, v += 4) *v = corner[axis];
         index[i] = which;
     }
 };
 
 /// A ray made ready to be tested against many packets: the shear that turns its direction into (0, 0, 1).
 struct sheared_ray {
-    std::size_t x, y, z;  ///< the axes; z is the one along which the direction is longest
+    std::size_t x, y, z;  ///< where a packet's rows for the axes begin; z is the one along which the direction is longest
     double ox, oy, oz;    ///< the origin along them
-    double sx, sy;
+    double sx, sy, sz;
     double doubt;         ///< by how much at most an edge function may be wrong
 
     /// `reach`: the largest coordinate of any triangle. With P the largest component of vertex - origin, sheared coordinates are
     /// up to 2 P and wrong by 9 · 2^-53 P, hence the edge functions by less than 2^-46 P²: see `intersect` of a triangle.
-    sheared_ray(const ray& r, float reach) {
-        const glm::dvec3 o(r.origin), d(r.direction), length = glm::abs(d);
-        const int kz = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
-        const int kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-        x = static_cast<std::size_t>(kx);
-        y = static_cast<std::size_t>(ky);
-        z = static_cast<std::size_t>(kz);
+    [[gnu::always_inline]] sheared_ray(const ray& r, float reach) {
+        // Without branches: nobody can predict which way the next ray goes.
+        quad length{r.direction.x, r.direction.y, r.direction.z};
+        magnitude(length, length);
+        const float longest = std::max(std::max(length[0], length[1]), length[2]);
+        const auto kz = static_cast<std::size_t>(std::countr_zero(lanes_of(quad_integers(length == longest)) | 4u));
+        static constexpr std::size_t next[] = {1, 2, 0};
+        const std::size_t kx = next[kz], ky = next[kx];
+        x = 4 * kx;
+        y = 4 * ky;
+        z = 4 * kz;
+        const float* const o = &r.origin.x;
+        const float* const d = &r.direction.x;
         ox = o[kx];
         oy = o[ky];
         oz = o[kz];
-        const double sz = 1 / d[kz];
-        sx = -d[kx] * sz;
-        sy = -d[ky] * sz;
-        const double farthest = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) + double(reach);
+        sz = 1 / double(d[kz]);
+        sx = -double(d[kx]) * sz;
+        sy = -double(d[ky]) * sz;
+        const double farthest = double(std::max(std::max(std::abs(o[0]), std::abs(o[1])), std::abs(o[2]))) + double(reach);
         doubt = 0x1p-46 * farthest * farthest;
     }
 };
 
-/// Which triangles the line of a finite ray passes through: bit i for triangle i. Where rounding might decide it says yes, so it
-/// never says no to a triangle whose own `intersect` would be hit; which is so, and where, is left to that.
-[[nodiscard, gnu::always_inline]] inline std::uint32_t passes_through(const triangle_packet& p, const sheared_ray& r) {
+/// What a ray and a packet have in common, triangle by triangle.
+struct packet_hits {
+    doubles u, v, w;       ///< the edge functions: the weights of a, b and c, if divided by their sum
+    doubles normal[3];     ///< n = (b - a) x (c - a)
+    doubles above, speed;  ///< n * (a - o) and n * d: t = above / speed
+};
+
+/// Which triangles the line of a finite ray passes through: bit i for triangle i; and u, v, w. The same arithmetic, number by
+/// number, as in `intersect` of a single triangle. Where rounding might decide it says yes, so it never says no to a triangle that
+/// is hit.
+[[nodiscard, gnu::always_inline]] inline std::uint32_t passes_through(const triangle_packet& p, const sheared_ray& r,
+                                                                      packet_hits& hits) {
     struct {
         doubles x, y;
     } corner[3];
-    const doubles sx = doubles{} + r.sx, sy = doubles{} + r.sy;
-    for (int v = 0; v < 3; ++v) {
+    const float *const in_x = p.vertex + r.x, *const in_y = p.vertex + r.y, *const in_z = p.vertex + r.z;
+    for (std::size_t v = 0; v < 3; ++v) {
         doubles x, y, z;
-        widen(p.vertex[v][r.x], x);
-        widen(p.vertex[v][r.y], y);
-        widen(p.vertex[v][r.z], z);
+        widen(in_x + 12 * v, x);
+        widen(in_y + 12 * v, y);
+        widen(in_z + 12 * v, z);
         x -= r.ox;
         y -= r.oy;
         z -= r.oz;
-        multiply_add(sx, z, x, corner[v].x);
-        multiply_add(sy, z, y, corner[v].y);
+        multiply_add(doubles{r.sx, r.sx, r.sx, r.sx}, z, x, corner[v].x);
+        multiply_add(doubles{r.sy, r.sy, r.sy, r.sy}, z, y, corner[v].y);
     }
     const auto& [A, B, C] = corner;
     doubles u, v, w;
     difference_of_products(C.x, B.y, C.y, B.x, u);
     difference_of_products(A.x, C.y, A.y, C.x, v);
     difference_of_products(B.x, A.y, B.y, A.x, w);
-    const doubles doubt = doubles{} + r.doubt;
-    const long_integers outside = ((u < -doubt) | (v < -doubt) | (w < -doubt)) & ((u > doubt) | (v > doubt) | (w > doubt));
-    const doubles sum = u + v + w;
-    return lanes_of(long_integers(~outside & (sum == sum)));
+    hits.u = u;
+    hits.v = v;
+    hits.w = w;
+    doubles least = u, most = u;
+    keep_smaller(least, v);
+    keep_smaller(least, w);
+    keep_larger(most, v);
+    keep_larger(most, w);
+    // Inside where no two signs differ, as far as double can tell; never for NaN.
+    const doubles doubt{r.doubt, r.doubt, r.doubt, r.doubt};
+    return lanes_less(-doubt, least) | lanes_less(most, doubt);
+}
+
+/// Where a ray meets the planes of the four triangles, again number by number as in `intersect` of one. Returns the lanes
+/// where double is enough for that; in the others, which are rare, the triangle itself must be asked.
+/// Where t is negative it says no more than that.
+[[nodiscard, gnu::always_inline]] inline std::uint32_t meets_plane(const triangle_packet& p, const sheared_ray& r, const ray& given,
+                                                                   std::uint32_t lanes, packet_hits& hits) {
+    const precise::ray exact = precise::widen(given);
+    doubles e1[3], e2[3], to[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        doubles a;
+        widen(p.vertex + 4 * i, a);
+        widen(p.vertex + 12 + 4 * i, e1[i]);
+        widen(p.vertex + 24 + 4 * i, e2[i]);
+        e1[i] -= a;
+        e2[i] -= a;
+        to[i] = a - exact.origin[int(i)];
+    }
+    hits.normal[0] = e1[1] * e2[2] - e2[1] * e1[2];
+    hits.normal[1] = e1[2] * e2[0] - e2[2] * e1[0];
+    hits.normal[2] = e1[0] * e2[1] - e2[0] * e1[1];
+    const auto& [nx, ny, nz] = hits.normal;
+    hits.above = nx * to[0] + ny * to[1] + nz * to[2];
+    hits.speed = nx * exact.direction.x + ny * exact.direction.y + nz * exact.direction.z;
+
+    const auto size = [](const doubles (&v)[3], doubles& sum) __attribute__((always_inline)) {
+        doubles y, z;
+        magnitude(v[0], sum);
+        magnitude(v[1], y);
+        magnitude(v[2], z);
+        sum = sum + y + z;
+    };
+    doubles size1, size2, distance, height, slope;
+    size(e1, size1);
+    size(e2, size2);
+    size(to, distance);
+    magnitude(hits.above, height);
+    magnitude(hits.speed, slope);
+    const doubles scale = 0x1p-15 * size1 * size2, low = scale * distance, flat = scale * precise::size(exact.direction);
+    // Inside for certain, by the very bound of `intersect`: both believe the same hits.
+    doubles least = hits.u, most = hits.u;
+    keep_smaller(least, hits.v);
+    keep_smaller(least, hits.w);
+    keep_larger(most, hits.v);
+    keep_larger(most, hits.w);
+    const doubles span = distance + (size1 + size2), doubt = 0x1p-47 * (span * span);
+    const std::uint32_t sure = (lanes_less(doubt, least) | lanes_less(most, -doubt)) & lanes_less(low, height) & lanes_less(flat, slope);
+    if ((lanes & ~sure) == 0) return sure;
+    // Behind the origin for certain: most often the very triangle that the ray has just left.
+    doubles nearest, z;
+    for (std::size_t v = 0; v < 3; ++v) {
+        widen(p.vertex + 12 * v + r.z, z);
+        z = (z - r.oz) * r.sz;
+        if (v == 0) nearest = z;
+        keep_smaller(nearest, z);
+    }
+    const doubles zero{};
+    const std::uint32_t behind = lanes_less(hits.above, zero) ^ lanes_less(hits.speed, zero);
+    return sure | (lanes_less(0x1p-30 * low, height) & lanes_less(0x1p-30 * flat, slope) & behind & ~lanes_less(zero, nearest));
 }
 
 }  // namespace lantern
