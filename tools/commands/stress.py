@@ -36,20 +36,25 @@ CALLS = 4096
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY)
     parser.add_argument("--json", action="store_true", help="for machines: the cases alone, nothing else on stdout")
+    parser.add_argument("--student", action="store_true", help="your lab 14 instead of the library: what it has, the rest is n/a")
+    parser.add_argument("--solution", action="store_true", help="the solution of lab 14")
     parser.add_argument("--no-price", action="store_true", help="the scorecard alone")
     parser.add_argument("options", nargs="...", metavar="OPTION",
                         help="handed to the program: --list, --strict, --adapter textbook, --mutant NAME, --group NAME, --case ID, ...")
     wish, unknown = parser.parse_known_args(arguments)
     options = unknown + wish.options
+    whose = "stress_student" if wish.student else "stress_solution" if wish.solution else ""
+    if whose and options:
+        raise Problem(f"with {'--student' if wish.student else '--solution'} there is only --json; what is '{options[0]}'?")
     with everything_on_stderr() if wish.json else contextlib.nullcontext():
         machine.ensure("build")
         if not wish.json and not wish.no_price and not options:
             bring_valgrind()
         folder = project.configure("release", tests=True)
-        project.build(folder, "stress", "stress_price")
-    program = folder / "tests" / "stress" / "stress"
+        project.build(folder, *([whose] if whose else ["stress", "stress_price"]))
+    program = folder / "tests" / "stress" / (whose or "stress")
     status = subprocess.run([str(program), *(["--json"] if wish.json else []), *options], stdin=subprocess.DEVNULL, check=False).returncode
-    if not wish.json and not wish.no_price and not options and status != 2:
+    if not wish.json and not wish.no_price and not options and not whose and status != 2:
         sys.stdout.flush()
         print(price_table(program, program.parent / "stress_price"))
     return status
