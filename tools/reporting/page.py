@@ -7,8 +7,6 @@ import html
 import json
 import os
 import pathlib
-import shutil
-import sys
 import time
 
 import process
@@ -34,14 +32,6 @@ th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align:
 .bad { color: var(--bad); } .good { color: var(--good); }
 .card { background: var(--card); padding: .75rem 1rem; border-radius: .5rem; }
 """
-
-
-def interpreter() -> str:
-    """A Python that has matplotlib: this one, or the system's, to which its packages belong."""
-    for candidate in (sys.executable, shutil.which("python3"), "/usr/bin/python3"):
-        if candidate and process.capture([candidate, "-c", "import matplotlib"])[0] == 0:
-            return candidate
-    raise Problem("no Python with matplotlib is here, which draws the plots: install python3-matplotlib and try again")
 
 
 def write(report: dict, folder: pathlib.Path, drawer: str) -> None:
