@@ -123,6 +123,7 @@ public:
             return false;
         };
         for (std::size_t i = 0; i < most && board(i); ++i) flying[count++] = i;
+        if (count == 0) return;
         const std::byte* const tree = blocks_.data()->bytes;
         no_probe counter;
         while (count > 0)

@@ -44,7 +44,7 @@ static_assert(sizeof(node) == 224 && sizeof(triangle_packet) == 160);
 }
 
 /// The other way round.
-[[nodiscard]] constexpr std::uint32_t block_of(std::uint32_t word) { return word / (sizeof(block) / 8); }
+[[nodiscard]] constexpr std::uint32_t block_of(std::uint32_t word) { return word / std::uint32_t{sizeof(block) / 8}; }
 
 /// The block that a child's word leads to, if its packets are taken off.
 [[nodiscard, gnu::always_inline]] inline const std::byte* at(const std::byte* tree, std::uint32_t word) {
