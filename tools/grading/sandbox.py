@@ -61,6 +61,7 @@ class Group:
     def __init__(self, name: str, processes: int, memory: int):
         self.folders: list[pathlib.Path] = []
         for base, limits in _controllers():
+            remove_stale(base)
             wanted = {"pids.max": processes, "memory.max": memory, "memory.limit_in_bytes": memory}
             folder = base / name
             try:
@@ -136,6 +137,16 @@ def _controllers() -> list[tuple[pathlib.Path, list[str]]]:
     version_1 = {"pids": ["pids.max"], "memory": ["memory.limit_in_bytes"]}
     return [(base / name, limits) for name, limits in version_1.items()
             if (base / name / "cgroup.procs").exists() and os.access(base / name, os.W_OK)]
+
+
+def remove_stale(base: pathlib.Path) -> None:
+    """Groups of graders that were killed. One in which something still runs cannot be removed, and stays."""
+    for old in base.glob("lantern-*-*"):
+        if not os.path.exists(f"/proc/{old.name.split('-')[1]}"):
+            try:
+                old.rmdir()
+            except OSError:
+                pass
 
 
 class Sandbox:
