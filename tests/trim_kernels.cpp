@@ -82,32 +82,42 @@ std::optional<hit> intersect(const rolling_ball& b, const timed_ray& r, interval
     return intersect(lantern::moving{b.shape, b.way}, r, range);
 }
 
-/// What a person writes who knows the scene: each `if constexpr` is a line that is there or is not, in one of six programs.
+/// What a person writes who knows which effects the scene has; how many balls and lamps, and what ambient light, is no effect, and
+/// read at run time by all kernels. Each `if constexpr` is a line that is there or is not, in one of six programs.
 template <bool Lens, bool Motion, bool Gloss, bool Soft>
 struct stripped {
     using ray_type = std::conditional_t<Motion, timed_ray, ray>;
     using ball_type = std::conditional_t<Motion, rolling_ball, ball>;
+    using lamp_type = std::conditional_t<Soft, lantern::sphere_light, lantern::point_light>;
 
     std::vector<ball_type> balls;
+    std::vector<lamp_type> lamps;
+    lantern::every all;
+    glm::vec3 ambient{0};
     lantern::camera_frame frame;
-    glm::vec3 lamp{0}, power{0};
-    float lamp_radius = 0, aperture = 0, focus = 1;
+    float aperture = 0, focus = 1;
+
+    glm::vec3 lit(const ball& b, const ray_type& r, glm::vec3 in, const hit& h, const lantern::illumination& light) const {
+        if (light.irradiance == glm::vec3(0)) return glm::vec3(0);
+        const glm::vec3 out = lantern::unit(light.position - h.point);
+        const glm::vec3 answer = evaluate(lantern::diffuse{b.color}, in, h, out) * light.irradiance;
+        if (answer == glm::vec3(0)) return glm::vec3(0);
+        const glm::vec3 origin = leave(h, out);
+        return occluded(all, balls, continued(r, origin, light.position - origin), {0, 1}) ? glm::vec3(0) : answer;
+    }
 
     glm::vec3 seen(const ray_type& r, const source_type& source, std::uint32_t bounce) const {
         const glm::vec3 in = lantern::unit(r.direction);
-        const auto h = closest(lantern::every{4}, balls, r);
+        const auto h = closest(all, balls, r);
         if (!h) return radiance(evening, in);
         const ball& b = balls[h->index];
         if (b.matt) {
-            lantern::illumination light;
-            if constexpr (Soft) light = illuminate(lantern::sphere_light{lamp, lamp_radius, power}, h->point, source.draw2(purpose::light));
-            else light = illuminate(lantern::point_light{lamp, power}, h->point);
-            if (light.irradiance == glm::vec3(0)) return glm::vec3(0);
-            const glm::vec3 out = lantern::unit(light.position - h->point);
-            const glm::vec3 answer = evaluate(lantern::diffuse{b.color}, in, *h, out) * light.irradiance;
-            if (answer == glm::vec3(0)) return glm::vec3(0);
-            const glm::vec3 origin = leave(*h, out);
-            return occluded(lantern::every{4}, balls, continued(r, origin, light.position - origin), {0, 1}) ? glm::vec3(0) : answer;
+            glm::vec3 sum = b.color * ambient;
+            for (std::uint32_t i = 0; i < lamps.size(); ++i) {
+                if constexpr (Soft) sum += lit(b, r, in, *h, illuminate(lamps[i], h->point, source.draw2(purpose::light, i)));
+                else sum += lit(b, r, in, *h, illuminate(lamps[i], h->point));
+            }
+            return sum;
         }
         if (bounce == trim_scene::depth) return glm::vec3(0);
         glm::vec3 direction = lantern::mirrored(in, h->normal);
@@ -135,7 +145,7 @@ struct stripped {
 
 template <bool Lens, bool Motion, bool Gloss, bool Soft>
 std::uint64_t by_hand(std::uint32_t side, const trim_scene::everything& s) {
-    stripped<Lens, Motion, Gloss, Soft> kernel{.balls = {}, .frame = lantern::camera_frame(s.from)};
+    stripped<Lens, Motion, Gloss, Soft> kernel{.balls = {}, .lamps = {}, .all = {}, .frame = lantern::camera_frame(s.from)};
     for (const auto& o : s.things) {
         typename decltype(kernel)::ball_type b;
         if (const auto* still = std::get_if<sphere>(&o.shape.value)) b.shape = *still;
@@ -148,8 +158,8 @@ std::uint64_t by_hand(std::uint32_t side, const trim_scene::everything& s) {
         if (const auto* m = std::get_if<lantern::glossy>(&o.material)) b.color = m->color, b.matt = false, b.width = m->width;
         kernel.balls.push_back(b);
     }
-    if (const auto* l = std::get_if<lantern::point_light>(&s.lights[0])) kernel.lamp = l->position, kernel.power = l->intensity;
-    if (const auto* l = std::get_if<lantern::sphere_light>(&s.lights[0])) kernel.lamp = l->center, kernel.power = l->radiance, kernel.lamp_radius = l->radius;
+    kernel.all.count = static_cast<std::uint32_t>(kernel.balls.size());
+    for (const auto& l : s.lights) kernel.lamps.push_back(std::get<typename decltype(kernel)::lamp_type>(l));
     kernel.aperture = s.lens.radius;
     kernel.focus = s.lens.focus_distance;
     return measured(side, kernel);

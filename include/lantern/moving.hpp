@@ -46,6 +46,19 @@ template <class Surface, std::derived_from<precise::timed_ray> Ray>
     return h;
 }
 
+/// The same, rounded where it is made, for surfaces that hand what they find to `make`.
+template <class Surface, std::derived_from<timed_ray> Ray>
+    requires requires(const Surface& s, const precise::ray& r, interval range) { find_hit(s, r, range, precise::rounded_at_once); }
+[[nodiscard]] std::optional<hit> intersect(const moving<Surface>& m, const Ray& r, interval range) {
+    const glm::dvec3 shift = double(r.time) * glm::dvec3(m.displacement), origin(r.origin);
+    const auto make = [&](double t, const glm::dvec3& point, const glm::dvec3& normal, double error) {
+        const glm::dvec3 there = point + shift;
+        const double moved_error = error + 0x1p-51 * (precise::size(origin) + precise::size(shift) + precise::size(there));
+        return precise::rounded_at_once(t, there, normal, moved_error);
+    };
+    return find_hit(m.surface, precise::ray{origin - shift, glm::dvec3(r.direction)}, range, make);
+}
+
 /// For surfaces that answer in float only: a user's own.
 template <class Surface, std::derived_from<timed_ray> Ray>
     requires(surface<Surface, Ray> && !precise_surface<Surface, decltype(precise::widen(Ray{}))>)

@@ -155,5 +155,9 @@ template <class Make>
 [[nodiscard]] inline std::optional<hit> intersect(const sphere& s, const ray& r, interval range) {
     return precise::find_hit(s, precise::widen(r), range, precise::rounded_at_once);
 }
+/// For a timed ray the general template, which rounds later, would match better.
+[[nodiscard]] inline std::optional<hit> intersect(const sphere& s, const timed_ray& r, interval range) {
+    return intersect(s, static_cast<const ray&>(r), range);
+}
 
 }  // namespace lantern
