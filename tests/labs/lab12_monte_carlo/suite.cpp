@@ -275,7 +275,7 @@ TEST_CASE("what goes on carries 1 and no more: weak paths end often, strong ones
                 ++going;
                 REQUIRE(std::abs(kept->y - 1) <= 1e-4f);
             }
-        CHECK(std::abs(going - 10'000 * most) <= 2);
+        CHECK(std::abs(float(going) - 10'000 * most) <= 2);
     }
 }
 
