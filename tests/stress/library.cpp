@@ -11,6 +11,7 @@
 #include <lantern/camera.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/cylinder.hpp>
+#include <lantern/diffuse.hpp>
 #include <lantern/disk.hpp>
 #include <lantern/glass.hpp>
 #include <lantern/glossy.hpp>
@@ -23,7 +24,9 @@
 #include <lantern/mirror.hpp>
 #include <lantern/moving.hpp>
 #include <lantern/obb.hpp>
+#include <lantern/object.hpp>
 #include <lantern/octree.hpp>
+#include <lantern/path.hpp>
 #include <lantern/plane.hpp>
 #include <lantern/rectangle.hpp>
 #include <lantern/rotating.hpp>
@@ -85,6 +88,15 @@ traced trace_with(const auto& structure, const auto& surfaces, const std::vector
     }
     return all;
 }
+
+/// A matt wall that shines by itself.
+struct oven {
+    float albedo = 0;
+};
+glm::vec3 evaluate(const oven& m, glm::vec3 in, const lantern::hit& h, glm::vec3 out) {
+    return evaluate(lantern::diffuse{glm::vec3(m.albedo)}, in, h, out);
+}
+glm::vec3 emitted(const oven&, glm::vec3, const lantern::hit&) { return glm::vec3(1); }
 
 struct lantern_adapter {
     static surface_answer sphere(glm::vec3 center, float radius, ray r) { return answer(lantern::sphere{center, radius}, r); }
@@ -212,6 +224,16 @@ struct lantern_adapter {
     static std::pair<glm::vec3, float> sphere_light(ball lamp, glm::vec3 point, glm::vec2 xi) {
         const auto light = illuminate(lantern::sphere_light{lamp.center, lamp.radius, glm::vec3(1)}, point, xi);
         return {light.position, light.irradiance.x};
+    }
+    static double furnace(float albedo, std::uint32_t paths, std::uint64_t seed) {
+        const std::vector things{lantern::object{lantern::sphere{}, oven{albedo}}};
+        const std::vector<lantern::point_light> none;
+        const lantern::every all{1};
+        const lantern::path radiance{all, things, none};
+        const lantern::independent numbers{.samples = paths, .seed = seed};
+        double sum = 0;
+        for (std::uint32_t i = 0; i < paths; ++i) sum += double(radiance(lantern::ray{{0, 0, 0}, {0, -1, 0}}, numbers.at({0, 0}, i)).x);
+        return sum / paths;
     }
     static glm::vec3 perturbed(glm::vec3 reflected, float width, glm::vec2 xi) { return lantern::perturbed(reflected, width, xi); }
 };
