@@ -74,7 +74,8 @@ TEST_CASE("octree: options that cannot be are refused") {
 }
 
 TEST_CASE("octree: a scene too long for float to add up its sides loses nothing at its end") {
-    const std::vector<sphere> spheres{{{0, 0, 0}, 1}, {{1e20f, 1e20f, -1e20f}, 1}, {{5, 5, 5}, 1}, {{-5, 5, 5}, 1}, {{5, -5, 5}, 1}, {{5, 5, 8}, 1}};
+    const std::vector<lantern::sphere> spheres{{{0, 0, 0}, 1}, {{1e20f, 1e20f, -1e20f}, 1}, {{5, 5, 5}, 1}, {{-5, 5, 5}, 1}, {{5, -5, 5}, 1},
+                                               {{5, 5, 8}, 1}};
     const octree tree(spheres, {.leaf_size = 1});
     const auto h = closest(tree, spheres, lantern::ray{{5, 5, 20}, {0, 0, -1}});
     REQUIRE(h);
