@@ -29,6 +29,11 @@ def configure(preset: str, tests: bool) -> pathlib.Path:
     return folder
 
 
+def has_tests(folder: pathlib.Path) -> bool:
+    """Whether a tree was configured with the tests."""
+    return "LANTERN_TESTS:BOOL=ON" in (folder / "CMakeCache.txt").read_text(encoding="utf-8", errors="replace")
+
+
 def build(folder: pathlib.Path, *targets: str) -> None:
     process.need(["cmake", "--build", str(folder)] + (["--target", *targets] if targets else []))
 

@@ -18,8 +18,8 @@ from reporting import digest, page, pieces
 SUMMARY = "error against run time, as a page: out/report/index.html"
 USAGE = "report [--quick] [--out DIR]"
 
-FULL = {"trials": 16, "most": 4096, "renderings": 20000, "seed": 0}
-QUICK = {"trials": 8, "most": 256, "renderings": 2000, "seed": 0}
+FULL = {"trials": 16, "most": 4096, "renderings": 20000, "triangles": 50000, "seed": 0}
+QUICK = {"trials": 8, "most": 256, "renderings": 2000, "triangles": 5000, "seed": 0}
 
 
 def run(arguments: list[str]) -> int:
@@ -43,14 +43,15 @@ def run(arguments: list[str]) -> int:
     if drawer is None:
         raise Problem("no Python with matplotlib is here, which draws the plots: install python3-matplotlib and try again")
     folder = project.configure("release", tests=False)
-    project.build(folder, "bench_convergence", "bench_ladder")
+    settings["tests"] = project.has_tests(folder)
+    project.build(folder, "bench_convergence", "bench_ladder", "bench_trace", *(["stress", "trim_kernels"] if settings["tests"] else []))
     if not settings["valgrind"]:
         print("valgrind is not here: the report goes without instruction counts")
 
     pictures = wish.out / "pictures"
     pictures.mkdir(parents=True, exist_ok=True)
     store = pieces.Store(wish.out / "measured")
-    plan = pieces.plan(settings, folder / "bench", pictures)
+    plan = pieces.plan(settings, folder, pictures)
     answers = measure_all(plan, store, wish.jobs)
 
     report = digest.digest(plan, answers, settings, pieces.environment(folder))

@@ -29,7 +29,8 @@ def digest(plan: list[pieces.Piece], answers: dict[str, Any], settings: dict, en
                         "pixels": curves[0]["pixels"], "curves": curves})
     for effect in effects:
         effect["sentence"] = sentence(effect)
-    return {"environment": environment, "settings": settings, "effects": effects, "ladder": ladder(answers)}
+    return {"environment": environment, "settings": settings, "effects": effects, "ladder": ladder(answers),
+            "accelerators": accelerators(answers), "stability": stability(answers), "leaving_out": leaving_out(answers)}
 
 
 def curve(answer: dict) -> dict:
@@ -104,6 +105,41 @@ def ladder(answers: dict[str, Any]) -> dict:
     return result
 
 
+def accelerators(answers: dict[str, Any]) -> list[dict]:
+    """A structure a row, for primary rays. It breaks even after as many rays as its building takes the time of, less what they
+    take with it, when all surfaces are tried instead."""
+    measured = [row for row in answers["accelerators"]["rows"] if row["rays"] == "primary" and row["threads"] == 1]
+    brute = next(row for row in measured if row["structure"] == "every")
+    result = []
+    for row in measured:
+        gain = 1 / brute["mrays"] - 1 / row["mrays"]  # microseconds a ray
+        result.append({**row, "breaks_even": 1000 * row["build_ms"] / gain if gain > 0 else None})
+    return result
+
+
+def stability(answers: dict[str, Any]) -> list[dict]:
+    """The scorecard by groups."""
+    groups: dict[str, dict] = {}
+    for case in answers.get("stability", {}).get("cases", []):
+        group = groups.setdefault(case["group"], {"group": case["group"], "cases": 0, "wrong": 0, "ulp_max": 0.0, "failed": []})
+        group["cases"] += 1
+        group["wrong"] += case["wrong"]
+        group["ulp_max"] = max(group["ulp_max"], case["ulp_max"])
+        if case["verdict"] == "fail":
+            group["failed"].append(case["id"])
+    return list(groups.values())
+
+
+def leaving_out(answers: dict[str, Any]) -> list[dict]:
+    """Instructions a sample: written by hand for the scene, trimmed at run time, and with everything on."""
+    found = []
+    for scene in pieces.TRIMMED:
+        counts = {kernel: answers.get(f"leaving out: {scene}, {kernel}") for kernel in pieces.KERNELS}
+        if all(counts.values()):
+            found.append({"scene": scene, **{kernel: count / (4 * pieces.TRIM_SIDE ** 2) for kernel, count in counts.items()}})
+    return found
+
+
 def rows(report: dict) -> Iterable[dict]:
     """The curves, one measurement a row: report.csv."""
     for effect in report["effects"]:
@@ -124,4 +160,6 @@ def complaints(report: dict) -> list[str]:
                 found.append(f"{name}: a bias, z = {one['largest_z']:.1f}")
             if one["verdict"] == "not explained":
                 found.append(f"{name}: the slope is {one['slope']:.3f}, theory says {one['theory']}")
+    found += [f"accelerators, {row['structure']}: {row['wrong']:.0f} wrong answers" for row in report["accelerators"] if row["wrong"]]
+    found += [f"stability: {case} fails" for group in report["stability"] for case in group["failed"]]
     return found

@@ -66,6 +66,8 @@ def write_csv(report: dict, path: pathlib.Path) -> None:
 
 def page(report: dict, folder: pathlib.Path) -> str:
     sections = [("effects", "Effect by effect", effects), ("ladder", "The ladder of effects", ladder),
+                ("accelerators", "Accelerators", accelerators), ("stability", "Stiff and extreme cases", stability),
+                ("leaving-out", "What is left out", leaving_out),
                 ("setting", "How it was measured", setting)]
     links = "".join(f'<a href="#{name}">{title}</a>' for name, title, _ in sections)
     body = "".join(f'<section id="{name}"><h2>{title}</h2>{make(report, folder)}</section>' for name, title, make in sections)
@@ -159,6 +161,39 @@ def ladder(report: dict, folder: pathlib.Path) -> str:
             f'out is left out by its types: it draws no numbers for it and holds no code for it.</p>'
             f'<div class="plots">{svg("ladder", folder)}</div>'
             + table(["", "numbers", "instructions", "time", "RMSE", "predicted", "left out"], rows))
+
+
+def accelerators(report: dict, folder: pathlib.Path) -> str:
+    rows = [[escape(row["structure"]), figure(row["nodes"], "{:.1f}"), figure(row["offers"], "{:.1f}"), duration(1e-6 / row["mrays"]),
+             duration(1e-3 * row["build_ms"]) if row["build_ms"] else "–", figure(row["bytes_per_triangle"], "{:.0f}"),
+             figure(row["breaks_even"], "{:.0f}"), f"{row['wrong']:.0f} of {row['checked']}"] for row in report["accelerators"]]
+    triangles = report["accelerators"][0]["triangles"]
+    return (f"<p>A terrain of {triangles} triangles, rays through the pixels of a picture, one thread. A structure breaks even after as many rays as make up "
+            f"for its building, against trying every triangle. All find the same hits: wrong are answers that brute force contradicts, wherever two "
+            f"structures disagree and at some other rays.</p>"
+            + table(["", "nodes a ray", "tests a ray", "a ray", "building", "bytes a triangle", "breaks even at", "wrong"], rows)
+            + '<p class="faint">More scenes, sizes and rays, and Embree: ./lab bench trace.</p>')
+
+
+def stability(report: dict, folder: pathlib.Path) -> str:
+    if not report["stability"]:
+        return "<p>Not measured: the tests were not built. ./lab test builds them; then ./lab report again.</p>"
+    rows = [[escape(group["group"]), str(group["cases"]), str(group["wrong"]), figure(group["ulp_max"], "{:.2f}"),
+             "~" + (f'<span class="bad">{escape(", ".join(group["failed"]))}</span>' if group["failed"] else '<span class="good">all pass</span>')]
+            for group in report["stability"]]
+    return ("<p>Cases of 256 variants each, against truths of 40 digits and against laws. An ulp is the distance to the next float; half of one is all "
+            "that rounding a right answer costs.</p>" + table(["", "cases", "wrong answers", "largest error, ulp", "verdict"], rows)
+            + '<p class="faint">Case by case, and what being right costs: ./lab stress.</p>')
+
+
+def leaving_out(report: dict, folder: pathlib.Path) -> str:
+    if not report["leaving_out"]:
+        return "<p>Not measured: that takes valgrind, and the tests built (./lab test).</p>"
+    rows = [[escape(row["scene"]), figure(row["stripped"], "{:.0f}"), figure(row["trimmed"], "{:.0f}"),
+             figure(100 * (row["trimmed"] / row["stripped"] - 1), "{:+.1f} %"), figure(row["everything"], "{:.0f}")] for row in report["leaving_out"]]
+    return ("<p>Instructions a sample, of four spheres: a kernel written by hand for the scene; the scene, chosen at run time and cut down by "
+            "<code>trim</code>; and the types that hold everything. All three make the same picture, bit for bit, and what is absent draws no numbers.</p>"
+            + table(["scene has", "by hand", "trimmed", "", "everything"], rows))
 
 
 def setting(report: dict, folder: pathlib.Path) -> str:

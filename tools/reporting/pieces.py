@@ -35,9 +35,15 @@ class Piece:
     files: list[pathlib.Path] = field(default_factory=list)  # what it writes besides
 
 
-def plan(settings: dict, programs: pathlib.Path, pictures: pathlib.Path) -> list[Piece]:
-    """Everything that the report needs, the slowest first within a section."""
+STRUCTURES = ["every", "bvh", "bvh middle", "bvh median", "bvh bottom_up", "grid", "octree", "kd_tree", "wide_bvh"]
+KERNELS = ["stripped", "trimmed", "everything"]  # as in tests/trim_kernels.cpp
+TRIMMED = ["static", "lens", "motion", "gloss", "shadow", "all"]
+
+
+def plan(settings: dict, tree: pathlib.Path, pictures: pathlib.Path) -> list[Piece]:
+    """Everything that the report needs, the slowest first within a section. `tree` is where the programs were built."""
     pieces = []
+    programs = tree / "bench"
     common = ["--trials", str(settings["trials"]), "--most", str(settings["most"]), "--first", str(settings["seed"])]
     effort = settings["trials"] * settings["most"] / 16384
     for effect in EFFECTS:
@@ -58,7 +64,22 @@ def plan(settings: dict, programs: pathlib.Path, pictures: pathlib.Path) -> list
                 pieces.append(Piece("ladder", f"instructions of rung {rung}, {renderings} renderings",
                                     ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(programs / "ladder"),
                                      "--rung", str(rung), "--renderings", str(renderings)], 2, instructions))
+    triangles = str(settings["triangles"])
+    pieces.append(Piece("accelerators", "accelerators",
+                        [str(programs / "trace"), "--json", "--scene", "terrain", "--structure", ",".join(STRUCTURES), "--triangles", triangles,
+                         "--rays", triangles, "--rounds", "3"], settings["triangles"] / 2000))
+    if settings["tests"]:
+        pieces.append(Piece("stability", "stability", [str(tree / "tests" / "stress" / "stress"), "--json"], 15))
+        if settings["valgrind"]:
+            for scene in TRIMMED:
+                for kernel in KERNELS:
+                    pieces.append(Piece("leaving out", f"leaving out: {scene}, {kernel}",
+                                        ["valgrind", "--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null",
+                                         str(tree / "tests" / "trim_kernels"), scene, kernel, str(TRIM_SIDE)], 1, instructions))
     return pieces
+
+
+TRIM_SIDE = 12  # the kernels take four samples for each of its square of pixels
 
 
 def instructions(text: str) -> int:
@@ -110,9 +131,10 @@ def measure(piece: Piece, store: Store) -> Any:
     """The stored answer, or a new one."""
     answer = store.get(piece)
     if answer is None:
-        code, text = process.capture(piece.command)
-        if code != 0:
-            raise Problem(f"{piece.name}: this command failed with exit code {code}:\n  {' '.join(piece.command)}\n{text}")
+        done = subprocess.run(piece.command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
+        if done.returncode != 0:
+            raise Problem(f"{piece.name}: this command failed with exit code {done.returncode}:\n  {' '.join(piece.command)}\n{done.stderr}")
+        text = done.stderr if piece.read is instructions else done.stdout  # valgrind speaks beside the program
         try:
             answer = piece.read(text)
         except (ValueError, IndexError) as error:
