@@ -24,7 +24,7 @@ h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-top: 1px solid var(--line
 p, li { max-width: 46rem; } .faint { color: var(--faint); } .sentence { font-size: 1.1rem; }
 nav { display: flex; flex-wrap: wrap; gap: .4rem 1rem; } a { color: inherit; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); gap: 1rem; }
-.plots svg { width: 100%; height: auto; }
+.plots svg { width: 100%; max-width: 40rem; height: auto; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(45%, 14rem), 1fr)); gap: .75rem; margin: 1rem 0; }
 figure { margin: 0; } figure img { width: 100%; image-rendering: pixelated; border: 1px solid var(--line); display: block; margin-top: .25rem; } figcaption { font-size: .85rem; color: var(--faint); }
 .table { overflow-x: auto; } table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
