@@ -5,10 +5,10 @@ Kept in build/progress.json. It is a memory, no more: where it is lost, ./lab ch
 
 import hashlib
 import json
-import os
 from typing import Any
 
 import labs
+import whole
 from labs import ROOT, Lab
 
 FILE = ROOT / "build" / "progress.json"
@@ -26,9 +26,7 @@ def load() -> dict[str, Any]:
 def save(known: dict[str, Any]) -> None:
     """Whole or not at all: two commands may write at a time."""
     FILE.parent.mkdir(exist_ok=True)
-    beside = FILE.with_name(f"{FILE.name}.{os.getpid()}.part")
-    beside.write_text(json.dumps(known, indent=1), encoding="utf-8")
-    beside.replace(FILE)
+    whole.write(FILE, json.dumps(known, indent=1))
 
 
 def fingerprint(lab: Lab) -> str:

@@ -3,7 +3,6 @@
 
 import base64
 import html
-import os
 import pathlib
 import subprocess
 import sys
@@ -11,6 +10,7 @@ import sys
 import pictures
 import process
 import student
+import whole
 from labs import ROOT, Problem
 
 SUMMARY = "your pictures and ours under a slider: out/compare/labNN.html"
@@ -59,9 +59,7 @@ def run(arguments: list[str]) -> int:
         text, equal = section(name, made["yours"].get(name), made["ours"][name])
         sections += text
         same += equal
-    beside = page.with_name(f"{page.name}.{os.getpid()}.part")
-    beside.write_text(PAGE.format(number=lab.number, title=html.escape(lab.title), sections=sections), encoding="utf-8")
-    beside.replace(page)
+    whole.write(page, PAGE.format(number=lab.number, title=html.escape(lab.title), sections=sections))
     print(f"{same} of {len(made['ours'])} pictures are the same. The page: {process.shorten(str(page))}")
     return 0
 

@@ -15,6 +15,7 @@ import threading
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 
+import whole
 from grading import archive, mistakes, overview, report, submission
 from grading.kit import Kit
 from grading.sandbox import Sandbox
@@ -99,7 +100,7 @@ class Term:
         if before.get("lab", self.kit.lab.number) != self.kit.lab.number:
             raise Problem(f"{self.out} holds the marks of lab {before['lab']}")
         seed = wished if wished is not None else before.get("seed", secrets.randbelow(1 << 48))
-        write(file, json.dumps({"lab": self.kit.lab.number, "seed": seed, "kit": self.kit.digest, "sandbox": str(self.kit.level)}))
+        whole.write(file, json.dumps({"lab": self.kit.lab.number, "seed": seed, "kit": self.kit.digest, "sandbox": str(self.kit.level)}), errors="replace")
         return seed
 
     def grade(self, student: Student, box: Sandbox) -> dict:
@@ -138,22 +139,15 @@ class Term:
     def write(self, student: Student, result: dict) -> None:
         folder = self.out / "students" / student.folder
         folder.mkdir(parents=True, exist_ok=True)
-        write(folder / "results.json", report.gradescope(self.kit, result))
-        write(folder / "junit.xml", report.junit(result, student.name))
-        write(folder / "index.html", report.student_page(self.kit, result, student.name))
-        write(folder / "result.json", json.dumps(result, indent=1))  # the last: where it is, all is there
+        whole.write(folder / "results.json", report.gradescope(self.kit, result), errors="replace")
+        whole.write(folder / "junit.xml", report.junit(result, student.name), errors="replace")
+        whole.write(folder / "index.html", report.student_page(self.kit, result, student.name), errors="replace")
+        whole.write(folder / "result.json", json.dumps(result, indent=1))  # the last: where it is, all is there
 
     def write_class(self, everyone: list[Student], results: dict[str, dict]) -> None:
         rows = [(student.name, results[student.folder]) for student in everyone if student.folder in results]
-        write(self.out / "gradebook.csv", overview.gradebook(self.kit, rows))
-        write(self.out / "overview.html", overview.overview(self.kit, rows, {student.name: student.folder for student in everyone}, self.seed))
-
-
-def write(file: pathlib.Path, content: str) -> None:
-    """Whole, or not at all."""
-    new = file.with_name(file.name + ".new")
-    new.write_text(content, encoding="utf-8", errors="replace")
-    new.replace(file)
+        whole.write(self.out / "gradebook.csv", overview.gradebook(self.kit, rows), errors="replace")
+        whole.write(self.out / "overview.html", overview.overview(self.kit, rows, {student.name: student.folder for student in everyone}, self.seed), errors="replace")
 
 
 def run_all(works: list, jobs: int, done) -> None:

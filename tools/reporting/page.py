@@ -4,12 +4,13 @@
 import base64
 import csv
 import html
+import io
 import json
-import os
 import pathlib
 import time
 
 import process
+import whole
 from labs import Problem
 from reporting import digest, pieces
 
@@ -36,29 +37,22 @@ th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align:
 
 def write(report: dict, folder: pathlib.Path, drawer: str) -> None:
     """report.json, report.csv and index.html, each whole or not at all."""
-    save(folder / "report.json", json.dumps(report, indent=1))
-    write_csv(report, folder / "report.csv")
+    whole.write(folder / "report.json", json.dumps(report, indent=1))
+    whole.write(folder / "report.csv", as_csv(report))
     figures = folder / "figures"
     code, text = process.capture([drawer, str(pathlib.Path(__file__).parent / "plots.py"), str(folder / "report.json"), str(figures)])
     if code != 0:
         raise Problem(f"the plots could not be drawn:\n{text}")
-    save(folder / "index.html", page(report, folder))
+    whole.write(folder / "index.html", page(report, folder))
 
 
-def save(path: pathlib.Path, text: str) -> None:
-    beside = path.with_name(f"{path.name}.{os.getpid()}.part")
-    beside.write_text(text, encoding="utf-8")
-    beside.replace(path)
-
-
-def write_csv(report: dict, path: pathlib.Path) -> None:
+def as_csv(report: dict) -> str:
     rows = list(digest.rows(report))
-    beside = path.with_name(f"{path.name}.{os.getpid()}.part")
-    with open(beside, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, fieldnames=list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
-    beside.replace(path)
+    text = io.StringIO()
+    writer = csv.DictWriter(text, fieldnames=list(rows[0]))
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue()
 
 
 # ---- the page ---------------------------------------------------------------------------------------------------------

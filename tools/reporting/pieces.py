@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Callable
 
 import process
+import whole
 from labs import Problem
 from process import ROOT
 
@@ -121,10 +122,7 @@ class Store:
             return None
 
     def put(self, piece: Piece, answer: Any) -> None:
-        path = self._path(piece)
-        beside = path.with_suffix(f".{os.getpid()}.part")
-        beside.write_text(json.dumps({"piece": piece.name, "answer": answer}), encoding="utf-8")
-        beside.replace(path)
+        whole.write(self._path(piece), json.dumps({"piece": piece.name, "answer": answer}))
 
 
 def measure(piece: Piece, store: Store) -> Any:
