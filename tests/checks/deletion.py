@@ -3,7 +3,8 @@
 
 deletion.py NAME...                 by the includes: whatever reaches the header must name it itself
 deletion.py --build FOLDER NAME...  by the compiler: every source file in FOLDER/compile_commands.json that does not
-                                    name the headers is checked against a copy of include/ without them
+                                    name the headers, itself or in the "..." that it includes, is checked against a
+                                    copy of include/ without them
 """
 
 import argparse
@@ -11,6 +12,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -18,6 +20,8 @@ import sys
 import tempfile
 
 from floors import HEADERS, ROOT, names_of
+
+OWN = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
 def closure(names: list[str], includes: dict[str, list[str]]) -> set[str]:
@@ -30,6 +34,18 @@ def closure(names: list[str], includes: dict[str, list[str]]) -> set[str]:
             reached.add(name)
             todo += includes.get(name, [])
     return reached
+
+
+def named_by(source: pathlib.Path) -> set[str]:
+    """The headers of the library that a program names, itself or in the files of its own that it includes."""
+    own: set[pathlib.Path] = set()
+    todo = [source]
+    while todo:
+        path = todo.pop().resolve()
+        if path not in own and path.is_file():
+            own.add(path)
+            todo += [path.parent / name for name in OWN.findall(path.read_text(encoding="utf-8"))]
+    return {name for path in own for name in names_of(path)}
 
 
 def by_includes(deleted: str) -> list[str]:
@@ -55,7 +71,7 @@ def by_compiler(deleted: list[str], build: pathlib.Path) -> list[str]:
 
         def check(command: dict) -> str | None:
             source = pathlib.Path(command["file"])
-            if source.suffix != ".cpp" or not source.is_relative_to(ROOT) or set(deleted) & set(names_of(source)):
+            if source.suffix != ".cpp" or not source.is_relative_to(ROOT) or set(deleted) & named_by(source):
                 return None
             words = [word.replace(str(ROOT / "include"), str(pruned)) for word in shlex.split(command["command"])]
             if "-o" in words:
