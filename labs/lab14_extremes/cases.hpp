@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Lab 14's hard cases with their exact answers: for the scorecard that the program prints, and for the tests. Coordinates are whole
-// numbers times a power of two, so that floats hold them exactly and whole numbers of 128 bits decide without rounding.
+// numbers times a power of two, so that floats hold them exactly and whole numbers of 128 bits decide without rounding. The same ones
+// each time; another `seed` draws others.
 
 #include <lantern/ray.hpp>
 
@@ -113,8 +114,8 @@ inline constexpr std::array sphere_names{"an everyday sphere", "distance / radiu
                                          "ground, radius 1e12", "starts on the surface", "everything × 1e18", "everything × 1e-25",
                                          "direction × 1e-23",      "direction × 1e12"};
 
-[[nodiscard]] inline std::vector<sphere_question> spheres(int which, int count = 256) {
-    dice random(1400 + std::uint64_t(which));
+[[nodiscard]] inline std::vector<sphere_question> spheres(int which, int count = 256, std::uint64_t seed = 0) {
+    dice random(1400 + std::uint64_t(which) + seed);
     std::vector<sphere_question> all;
     while (int(all.size()) < count) {
         const whole3 o = random.point(1000), c = random.point(500), d = random.point(100), off = random.point(500);
@@ -153,9 +154,9 @@ inline constexpr std::array sphere_names{"an everyday sphere", "distance / radiu
 }
 
 template <class Hit>
-[[nodiscard]] score judge_spheres(int which, const Hit& hit) {
+[[nodiscard]] score judge_spheres(int which, const Hit& hit, std::uint64_t seed = 0) {
     score s;
-    for (const sphere_question& q : spheres(which)) tell(s, hit(q.center, q.radius, q.ray), q.truth);
+    for (const sphere_question& q : spheres(which, 256, seed)) tell(s, hit(q.center, q.radius, q.ray), q.truth);
     return s;
 }
 
@@ -183,8 +184,8 @@ inline void ask(std::vector<triangle_question>& all, const whole3& a, const whol
 inline constexpr std::array triangle_names{"an everyday triangle", "of size 1e-3", "of size 3e-5", "of size 1e-12", "a sliver, 1 to 5e6",
                                            "nearly edge-on",       "far away"};
 
-[[nodiscard]] inline std::vector<triangle_question> triangles(int which, int count = 256) {
-    dice random(1430 + std::uint64_t(which));
+[[nodiscard]] inline std::vector<triangle_question> triangles(int which, int count = 256, std::uint64_t seed = 0) {
+    dice random(1430 + std::uint64_t(which) + seed);
     std::vector<triangle_question> all;
     const auto plus = [](const whole3& p, whole k, const whole3& d) { return whole3{p[0] + k * d[0], p[1] + k * d[1], p[2] + k * d[2]}; };
     while (int(all.size()) < count) {
@@ -221,9 +222,9 @@ inline constexpr std::array triangle_names{"an everyday triangle", "of size 1e-3
 }
 
 template <class Hit>
-[[nodiscard]] score judge_triangles(int which, const Hit& hit) {
+[[nodiscard]] score judge_triangles(int which, const Hit& hit, std::uint64_t seed = 0) {
     score s;
-    for (const triangle_question& q : triangles(which)) tell(s, hit(q.a, q.b, q.c, q.ray), q.truth);
+    for (const triangle_question& q : triangles(which, 256, seed)) tell(s, hit(q.a, q.b, q.c, q.ray), q.truth);
     return s;
 }
 
@@ -255,9 +256,9 @@ struct cloth {
 
 /// Rays from above, exactly through the inner vertices of the cloth, or the middle of its inner edges: wrong are those that hit nothing.
 template <class Hit>
-[[nodiscard]] score judge_leaks(bool vertices, int scale, const Hit& hit, int rays = 1000) {
-    const cloth mesh(6, scale);
-    dice random(1450);
+[[nodiscard]] score judge_leaks(bool vertices, int scale, const Hit& hit, int rays = 1000, std::uint64_t seed = 0) {
+    const cloth mesh(6, scale, 1440 + seed);
+    dice random(1450 + seed);
     score s;
     for (int i = 0; i < rays; ++i) {
         const int x = random.whole(1, 4), y = random.whole(1, 4), along = random.whole(0, 2);
@@ -282,8 +283,8 @@ struct box_question {
 inline constexpr std::array box_names{"an everyday box", "touches an edge", "touches a corner", "flat", "runs in a face", "starts on a face, -0",
                                       "passes at 1e-3"};
 
-[[nodiscard]] inline std::vector<box_question> boxes(int which, int count = 256) {
-    dice random(1460 + std::uint64_t(which));
+[[nodiscard]] inline std::vector<box_question> boxes(int which, int count = 256, std::uint64_t seed = 0) {
+    dice random(1460 + std::uint64_t(which) + seed);
     std::vector<box_question> all;
     while (int(all.size()) < count) {
         // The ray meets p, a point of the box, at t = 3. Most of the steps to p have a bit more than a float.
@@ -332,9 +333,9 @@ inline constexpr std::array box_names{"an everyday box", "touches an edge", "tou
 }
 
 template <class Meets>
-[[nodiscard]] score judge_boxes(int which, const Meets& meets) {
+[[nodiscard]] score judge_boxes(int which, const Meets& meets, std::uint64_t seed = 0) {
     score s;
-    for (const box_question& q : boxes(which)) s.tell(meets(q.low, q.high, q.ray) == q.truth);
+    for (const box_question& q : boxes(which, 256, seed)) s.tell(meets(q.low, q.high, q.ray) == q.truth);
     return s;
 }
 
@@ -354,8 +355,8 @@ struct departures {
 
 /// In a scene of this size: rays that leave a sphere, `on` being the point and `leave` the step.
 template <class On, class Leave>
-[[nodiscard]] departures leave_spheres(float size, const On& on, const Leave& leave, int rays = 1000) {
-    dice random(1480);
+[[nodiscard]] departures leave_spheres(float size, const On& on, const Leave& leave, int rays = 1000, std::uint64_t seed = 0) {
+    dice random(1480 + seed);
     departures all;
     for (int i = 0; i < rays; ++i) {
         const glm::vec3 c = size * (4 * random.unit() * random.direction()), n = random.direction(), d = random.direction();
@@ -373,8 +374,8 @@ template <class On, class Leave>
 
 /// The same with triangles, seen from up to ten sizes away.
 template <class On, class Leave>
-[[nodiscard]] departures leave_triangles(float size, const On& on, const Leave& leave, int rays = 1000) {
-    dice random(1490);
+[[nodiscard]] departures leave_triangles(float size, const On& on, const Leave& leave, int rays = 1000, std::uint64_t seed = 0) {
+    dice random(1490 + seed);
     departures all;
     while (all.rays < rays) {
         const glm::vec3 a = size * random.direction() * 4.0f, b = a + size * random.direction(), c = a + size * random.direction();
@@ -393,8 +394,8 @@ template <class On, class Leave>
 
 inline constexpr std::array basis_names{"unit vectors", "length off by 1e-3", "length 1e-30 to 1e30", "near the pole -z", "near the pole +z"};
 
-[[nodiscard]] inline std::vector<glm::vec3> vectors(int which, int count = 256) {
-    dice random(1500 + std::uint64_t(which));
+[[nodiscard]] inline std::vector<glm::vec3> vectors(int which, int count = 256, std::uint64_t seed = 0) {
+    dice random(1500 + std::uint64_t(which) + seed);
     std::vector<glm::vec3> all;
     for (int i = 0; i < count; ++i) {
         const glm::vec3 d = random.direction();
@@ -420,9 +421,9 @@ inline constexpr std::array basis_names{"unit vectors", "length off by 1e-3", "l
 
 /// Wrong above 2^-22; ulp in units of 2^-23, the distance of floats above 1.
 template <class Basis>
-[[nodiscard]] score judge_bases(int which, const Basis& basis) {
+[[nodiscard]] score judge_bases(int which, const Basis& basis, std::uint64_t seed = 0) {
     score s;
-    for (const glm::vec3 w : vectors(which)) {
+    for (const glm::vec3 w : vectors(which, 256, seed)) {
         const auto f = basis(w);
         const double error = frame_error(f.u, f.v, f.w, w);
         s.tell(error <= 0x1p-22);
@@ -441,8 +442,8 @@ struct refraction_question {
 };
 
 /// Directions whose ratio · sin θ is 1 but for a few ulp of the ratio.
-[[nodiscard]] inline std::vector<refraction_question> refractions(int count = 900) {
-    dice random(1520);
+[[nodiscard]] inline std::vector<refraction_question> refractions(int count = 900, std::uint64_t seed = 0) {
+    dice random(1520 + seed);
     std::vector<refraction_question> all;
     while (int(all.size()) < count) {
         const whole3 d = random.point(2000), n = random.point(2000), m = cross(n, d);
@@ -464,9 +465,9 @@ struct refraction_question {
 }
 
 template <class Refracted>
-[[nodiscard]] score judge_refractions(const Refracted& refracted) {
+[[nodiscard]] score judge_refractions(const Refracted& refracted, std::uint64_t seed = 0) {
     score s;
-    for (const refraction_question& q : refractions()) {
+    for (const refraction_question& q : refractions(900, seed)) {
         const auto out = refracted(q.in, q.normal, q.ratio);
         s.tell(out.has_value() == q.passes);
         if (out && q.passes) s.ulp = std::max(s.ulp, snell_error(q.in, q.normal, q.ratio, *out) * 0x1p23);

@@ -17,11 +17,14 @@
 
 namespace hidden {
 
-/// The numbers of one test, told apart by `test`. LANTERN_SEED holds the seed of this grading.
-inline numbers drawn(std::uint64_t test) {
+/// The seed of one test, told apart by `test`. LANTERN_SEED holds the seed of this grading.
+inline std::uint64_t seed(std::uint64_t test) {
     const char* said = std::getenv("LANTERN_SEED");
-    return numbers((said ? std::strtoull(said, nullptr, 10) : 1) * 0x9e3779b97f4a7c15 + test);
+    return (said ? std::strtoull(said, nullptr, 10) : 1) * 0x9e3779b97f4a7c15 + test;
 }
+
+/// The numbers of one test.
+inline numbers drawn(std::uint64_t test) { return numbers(seed(test)); }
 
 inline glm::vec2 point(numbers& random) {
     const float x = random.unit();

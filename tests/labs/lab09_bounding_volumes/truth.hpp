@@ -242,7 +242,7 @@ inline volume scaled(volume v, float by) {
 
 inline std::string text(glm::vec3 v) {
     const auto of = [](float x) { return std::to_string(x).substr(0, std::to_string(x).find('.') + 2); };
-    return "(" + of(v.x) + ", " + of(v.y) + ", " + of(v.z) + ")";
+    return std::string("(").append(of(v.x)).append(", ").append(of(v.y)).append(", ").append(of(v.z)).append(")");
 }
 inline std::string text(const whole_question& q) {
     std::string shown;
