@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every lab, graded: labs_test.py [NN...]. The solution gets full marks, the starter none, whatever the seed of the hidden tests."""
+"""Every lab, graded: labs_test.py [NN...]. The solution gets full marks, and so do other right answers (different/NN_*.mutant, edits of
+the solution); the starter gets none, whatever the seed of the hidden tests."""
 
 import pathlib
 import secrets
@@ -14,6 +15,8 @@ import labs  # noqa: E402
 import student  # noqa: E402
 from grading import kit, submission, term  # noqa: E402
 from grading.sandbox import Sandbox  # noqa: E402
+
+DIFFERENT = pathlib.Path(__file__).parent / "different"
 
 
 def graded(lab: labs.Lab, stage: pathlib.Path, box: Sandbox) -> str:
@@ -31,6 +34,12 @@ def graded(lab: labs.Lab, stage: pathlib.Path, box: Sandbox) -> str:
     print(f"{lab.folder:<24} {solution['score']:g} of {solution['of']:g} in {solution['seconds']} s, starter {starter['score']:g}", file=sys.stderr, flush=True)
     if solution["score"] != made.scheme.total:
         return f"seed {seed}: {solution}"
+    for path in sorted(DIFFERENT.glob(f"{lab.number}_*.mutant")):
+        header = labs.mutate(lab.solution_file.read_text(encoding="utf-8"), labs.read_mutant(path))
+        other = submission.graded(made, {f"{lab.folder}/{lab.header}": header.encode()}, box, seed)
+        print(f"{path.name:<24} {other['score']:g} of {other['of']:g}", file=sys.stderr, flush=True)
+        if other["score"] != made.scheme.total:
+            return f"{path.name}, seed {seed}: {other}"
     if starter["status"] != "graded" or starter["score"] != 0 or passed:
         return f"the starter: {starter['status']}, {starter['score']}, {starter['message']}, {passed}"
     return ""
