@@ -15,7 +15,7 @@ from labs import Problem  # noqa: E402
 COMMANDS = {
     "Start here": ["demo", "test"],
     "The labs": ["status", "start", "watch", "check", "run", "hint", "compare", "solution", "reset", "list"],
-    "For instructors": ["grade", "pack", "release"],
+    "For instructors": ["grade", "pack", "release", "new"],
     "The machine": ["doctor", "setup"],
     "For those who change Lantern": ["starters", "mutants", "bench", "report", "stress"],
 }

@@ -58,6 +58,8 @@ def run(arguments: list[str]) -> int:
     wish = parser.parse_args(arguments)
     lab = student.lab_named(wish.lab)
     out = pathlib.Path(wish.out) if wish.out else ROOT / "out" / f"{lab.name}-gradescope.zip"
+    if str(lab.solution_file.relative_to(ROOT)) not in tracked():
+        raise Problem(f"git does not know lab {lab.number} yet, and the archive holds what git knows: git add it first")
     if out.suffix != ".zip":
         raise Problem(f"{out} should end in .zip")
     out.parent.mkdir(parents=True, exist_ok=True)
