@@ -6,10 +6,13 @@ import io
 import json
 import os
 import pathlib
+import signal
 import struct
+import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree as ET
 import zipfile
@@ -21,8 +24,9 @@ sys.path.insert(0, str(ROOT / "tools"))
 import labs  # noqa: E402
 import macros  # noqa: E402
 import ppm_to_png  # noqa: E402
+import verdict  # noqa: E402
 from commands import release  # noqa: E402
-from grading import archive, kit, mistakes, overview, pictures, report, scheme, term  # noqa: E402
+from grading import archive, kit, mistakes, overview, pictures, report, scheme, submission, term  # noqa: E402
 from grading.sandbox import Level  # noqa: E402
 
 LAB = labs.find("06")
@@ -244,6 +248,16 @@ class Reports(Scratch):
             self.assertEqual(row[2:4], ["40", "50"])
             self.assertTrue(row[-1].startswith("'="))
 
+    def test_changes_list_whose_points_are_others_than_before(self):
+        _, result = example()
+        rows = [("ann", result | {"before": 30.0}), ("bob", result | {"before": 40.0}), ("new", result | {"before": None}), ("old", result), (HOSTILE, result | {"before": 0}),
+                ("broken", result | {"before": 30.0, "status": "error"})]
+        told = list(csv.reader(io.StringIO(overview.changes(rows))))
+        self.assertEqual(told[0], ["student", "before", "now", "of"])
+        self.assertEqual([row[1:] for row in told[1:]], [["30", "40", "50"], ["0", "40", "50"]])
+        self.assertEqual(told[1][0], "ann")
+        self.assertTrue(told[2][0].startswith("'="))
+
     def test_names_become_folders_of_their_own(self):
         for name in ("ann", "ANN.zip", "a\nb", "a b", "=x", "ünal", "con..", "-rf"):
             (self.folder / name).mkdir()
@@ -270,6 +284,73 @@ class Pictures(unittest.TestCase):
         for data in (b"", b"<html>", b"\x89PNG\r\n\x1a\n", self.png(4, 4, rows), self.png(4, 3, b"\x09" + rows[1:]), bomb, b"P3\n2 1\n255\n1 2 3\n", b"P6 9 9 255 x",
                      b"\x89PNG\r\n\x1a\n" + ppm_to_png.chunk(b"IHDR", b"\0" * 13) + ppm_to_png.chunk(b"IDAT", zlib.compress(bytes(100)))):
             self.assertIsNone(pictures.as_png(data), data[:20])
+
+
+class StandingStill(unittest.TestCase):
+    """A limit of time is the student's only while the machine goes on."""
+
+    CODE = """
+import sys, time
+sys.path.insert(0, sys.argv[1])
+from grading.submission import Heartbeat
+with Heartbeat(pause=0.5) as heart:
+    print("ready", flush=True)
+    sys.stdin.readline()
+print(heart.stood_still)
+"""
+
+    def noticed(self, pauses: bool) -> str:
+        with subprocess.Popen([sys.executable, "-B", "-c", self.CODE, str(ROOT / "tools")], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as child:
+            child.stdout.readline()
+            if pauses:
+                child.send_signal(signal.SIGSTOP)
+                time.sleep(1)
+                child.send_signal(signal.SIGCONT)
+            return child.communicate("\n")[0].strip()
+
+    def test_a_pause_is_noticed(self):
+        self.assertEqual(self.noticed(True), "True")
+
+    def test_only_what_is_late_in_a_pause_is_asked_again(self):
+        late, wrong = verdict.Test("a", asked="the code under test did not answer in time (10 s a call), in f"), verdict.Test("a", asked="x == 1")
+        asked = []
+        real = verdict.run_step, submission.Heartbeat
+
+        class Still:
+            stood_still = True
+
+            def __enter__(self):
+                return self
+
+            def __exit__(self, *_):
+                pass
+
+        made = kit.Kit(LAB, scheme.Scheme([scheme.StepScheme() for _ in LAB.steps]), pathlib.Path(), [], [], [], Level(True, ["all"]), False)
+        try:
+            for still, test, times in ((True, late, submission.ATTEMPTS), (False, late, 1), (True, wrong, 1)):
+                asked.clear()
+                Still.stood_still = still
+                submission.Heartbeat = Still
+                verdict.run_step = lambda judge, number, name, *_: asked.append(number) or verdict.Step(name, [test])
+                submission.verdicts(made, pathlib.Path(), {})
+                self.assertEqual(len(asked), times * len(LAB.steps))
+        finally:
+            verdict.run_step, submission.Heartbeat = real
+
+
+class HiddenFindings(unittest.TestCase):
+    def test_what_hidden_tests_found_is_told_to_none_but_who_asks(self):
+        made = kit.Kit(LAB, scheme.Scheme([scheme.StepScheme() for _ in LAB.steps]), pathlib.Path(), [pathlib.Path("public"), pathlib.Path("hidden")], [], [], Level(True, ["all"]), False)
+        real = submission.worker_words, submission.verdicts
+        try:
+            submission.worker_words = lambda *_: pathlib.Path()
+            submission.verdicts = lambda _, judge, __: [verdict.Step(name, [verdict.Test(judge.name, asked="x == 1", found="2 == 1")]) for name in LAB.steps]
+            for made.show_hidden in (False, True):
+                tests = [test for step in submission.judged(made, pathlib.Path(), None, pathlib.Path(), 1) for test in step["tests"]]
+                self.assertTrue(all(test["says"] for test in tests if not test["hidden"]))
+                self.assertEqual({bool(test["says"]) for test in tests if test["hidden"]}, {made.show_hidden})
+        finally:
+            submission.worker_words, submission.verdicts = real
 
 
 class Mistakes(unittest.TestCase):

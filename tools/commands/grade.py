@@ -26,6 +26,7 @@ def run(arguments: list[str]) -> int:
     parser.add_argument("--seed", type=int, help="of the hidden tests' inputs (default: a new one, written to DIR/run.json)")
     parser.add_argument("--no-pictures", action="store_true", help="do not build and run the lab's program with each header")
     parser.add_argument("--no-mistakes", action="store_true", help="do not match failures to the lab's mutants")
+    parser.add_argument("--show-hidden", action="store_true", help="tell what hidden tests found, too: for your eyes, not for students")
     parser.add_argument("--trust", action="store_true", help="go on where no sandbox can be had: the code then may do what you may do")
     wish = parser.parse_args(arguments)
     if wish.jobs < 1:
@@ -43,6 +44,7 @@ def run(arguments: list[str]) -> int:
         everyone = term.students(pathlib.Path(wish.submissions))
     with kit.stage_folder() as stage, term.Slots(wish.jobs) as slots:
         made = kit.made(lab, pathlib.Path(stage), trust=wish.trust)
+        made.show_hidden = wish.show_hidden
         print(f"The sandbox is {made.level}", file=sys.stderr)
         slots.use(lambda box: submission.verified(made, box))
         if wish.prepare:

@@ -26,6 +26,8 @@ def run(arguments: list[str]) -> int:
         built, output = student.build(tree, f"{lab.name}_mutants")
         if not built:
             raise labs.Problem(f"the mutants of lab {lab.number} do not build:\n{student.first_error(output)}")
+        if not lab.mutants():
+            raise labs.Problem(f"lab {lab.number} has no mutants: nothing was tried")
         for mutant in lab.mutants():
             failed, wrong = lab_test.mutant_verdict(lab, student.program(tree, f"{lab.name}_mutant_{mutant.name}"), mutant)
             answers.append({"lab": lab.number, "name": mutant.name, "expected": mutant.caught_by, "failed": failed, "ok": not wrong})

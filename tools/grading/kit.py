@@ -36,6 +36,7 @@ class Kit:
     level: Level
     gate: bool                        # promises that the compiler checks: gate.cpp
     digest: str = ""
+    show_hidden: bool = False         # what hidden tests found, too: for an instructor's eyes
     tests: list[dict[str, bool]] = field(default_factory=list)  # by step: each test's name, and whether it is hidden
 
     @property

@@ -29,6 +29,17 @@ def gradebook(kit: Kit, rows: list[tuple[str, dict]]) -> str:
     return out.getvalue()
 
 
+def changes(rows: list[tuple[str, dict]]) -> str:
+    """Whose points are others than an earlier grading gave, into the same folder."""
+    out = io.StringIO()
+    writer = csv.writer(out, quoting=csv.QUOTE_MINIMAL, lineterminator="\r\n")
+    writer.writerow(["student", "before", "now", "of"])
+    for student, result in rows:
+        if result["status"] != "error" and result.get("before") not in (None, result["score"]):
+            writer.writerow([cell(student), number(result["before"]), number(result["score"]), number(result["of"])])
+    return out.getvalue()
+
+
 def overview(kit: Kit, rows: list[tuple[str, dict]], folders: dict[str, str], seed: int) -> str:
     graded = [result for _, result in rows if result["status"] != "error"]
     scores = sorted(result["score"] for result in graded)

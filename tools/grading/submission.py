@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 import tempfile
+import threading
 import time
 
 import macros
@@ -20,6 +21,37 @@ from labs import Problem
 
 class Infrastructure(Exception):
     """The machine failed, not the student: there is no mark, and the submission is to be graded again."""
+
+
+ATTEMPTS = 3  # at what was late while the machine stood still
+
+
+class Heartbeat:
+    """Notices when this machine stands still: a laptop that sleeps, a container or a grader that is paused. What was too late then says
+    nothing about the code. A program that is slow, or sleeps, does not stop this clock: it gets no second attempt."""
+
+    def __init__(self, pause: float = 1.5):
+        self.pause, self.longest, self.ended = pause, 0.0, threading.Event()
+        self.thread = threading.Thread(target=self._beat, daemon=True)
+
+    def __enter__(self) -> "Heartbeat":
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.ended.set()
+        self.thread.join()
+
+    def _beat(self) -> None:
+        last = time.monotonic()
+        while not self.ended.wait(self.pause / 5):
+            now = time.monotonic()
+            self.longest, last = max(self.longest, now - last), now
+        self.longest = max(self.longest, time.monotonic() - last)
+
+    @property
+    def stood_still(self) -> bool:
+        return self.longest > self.pause
 
 
 def digest(files: dict[str, bytes]) -> str:
@@ -109,6 +141,15 @@ def compiled(kit: Kit, files: dict[str, bytes], box: Sandbox, folder: pathlib.Pa
 
 
 def compile_in(box: Sandbox, command: list[str], limits, kit: Kit, folder: pathlib.Path, out: pathlib.Path) -> tuple[int | None, str]:
+    for _ in range(ATTEMPTS):
+        with Heartbeat() as heart:
+            done = compiled_once(box, command, limits, kit, folder, out)
+        if done[0] is not None or not heart.stood_still:
+            break
+    return done
+
+
+def compiled_once(box: Sandbox, command: list[str], limits, kit: Kit, folder: pathlib.Path, out: pathlib.Path) -> tuple[int | None, str]:
     done = box.run(command, limits, readable={**kit.seen, CODE: folder / "code"}, writable={OUT: out}, system=True)
     return done.status, done.printed.decode(errors="replace")
 
@@ -153,7 +194,7 @@ def environment_of(kit: Kit, command: pathlib.Path, seed: int) -> dict[str, str]
 
 def judged(kit: Kit, worker: pathlib.Path, box: Sandbox, folder: pathlib.Path, seed: int) -> list[dict]:
     environment = environment_of(kit, worker_words(kit, worker, box, folder), seed)
-    runs = [verdict.judge(judge, kit.lab, kit.scheme.step, environment, at_once=1) for judge in kit.judges]
+    runs = [verdicts(kit, judge, environment) for judge in kit.judges]
     steps = []
     for i, name in enumerate(kit.lab.steps):
         tests = []
@@ -163,7 +204,7 @@ def judged(kit: Kit, worker: pathlib.Path, box: Sandbox, folder: pathlib.Path, s
             for each in expected:  # what was not reached has not passed
                 test = known.get(each) or verdict.Test(each, thrown=run[i].trouble or "was not run")
                 tests.append({"name": each, "passed": test.passed, "hidden": hidden, "gap": bool(test.gap),
-                              "says": [] if hidden or test.passed else [archive.plain(line) for line in verdict.explained(test)][:30]})
+                              "says": [] if test.passed or (hidden and not kit.show_hidden) else [archive.plain(line) for line in verdict.explained(test)][:30]})
         marks = [scheme.Mark(test["name"], test["passed"], test["hidden"]) for test in tests]
         trouble = runs[0][i].trouble
         steps.append({"name": name, "points": scheme.score(kit.scheme.steps[i], marks), "of": kit.scheme.steps[i].points,
@@ -171,6 +212,23 @@ def judged(kit: Kit, worker: pathlib.Path, box: Sandbox, folder: pathlib.Path, s
     if nothing_ever_answered(steps):
         check_the_machine(kit, box, folder, seed)
     return steps
+
+
+def verdicts(kit: Kit, judge: pathlib.Path, environment: dict[str, str]) -> list[verdict.Step]:
+    """One verdict for each step. What was late while the machine stood still is asked again."""
+    steps = []
+    for number, name in enumerate(kit.lab.steps, 1):
+        for _ in range(ATTEMPTS):
+            with Heartbeat() as heart:
+                step = verdict.run_step(judge, number, name, kit.scheme.step, environment)
+            if not (heart.stood_still and was_late(step)):
+                break
+        steps.append(step)
+    return steps
+
+
+def was_late(step: verdict.Step) -> bool:
+    return step.trouble.startswith("did not finish") or any(not test.passed and "did not answer in time" in test.asked + test.thrown for test in step.tests)
 
 
 def nothing_ever_answered(steps: list[dict]) -> bool:

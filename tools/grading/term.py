@@ -106,23 +106,23 @@ class Term:
     def grade(self, student: Student, box: Sandbox) -> dict:
         """From the folder, when this very submission was graded by this very kit before."""
         folder = self.out / "students" / student.folder
+        kept = self._kept(folder)
+        before = {"before": kept["score"] if kept else None}  # what an earlier grading gave: an appeal, or a test that was mended
         try:
             files, where = archive.placed(archive.read(student.path), self.kit.lab)
         except archive.Refused as refused:
-            result = submission.refusal(self.kit, str(refused), self.seed) | {"student": student.name}
+            if kept and kept["status"] == "refused":  # still so
+                before = {"before": kept.get("before")}
+            result = submission.refusal(self.kit, str(refused), self.seed) | {"student": student.name} | before
             self.write(student, result)
             return result
-        key = f"{self.kit.digest}-{submission.digest(files)}-{self.seed}-{'p' if self.pictures else 'n'}"
-        try:
-            kept = json.loads((folder / "result.json").read_text(encoding="utf-8"))
-            if kept["key"] == key:
-                found = mistakes.found_in(kept, self.known, self.who)
-                if self.known and kept["mistakes"] != found:  # the run before did not look for them, or knew others
-                    kept["mistakes"] = found
-                    self.write(student, kept)
-                return kept
-        except (OSError, ValueError, KeyError):
-            pass
+        key = f"{self.kit.digest}-{submission.digest(files)}-{self.seed}-{'p' if self.pictures else 'n'}{'h' if self.kit.show_hidden else ''}"
+        if kept and kept.get("key") == key:
+            found = mistakes.found_in(kept, self.known, self.who)
+            if self.known and kept["mistakes"] != found:  # the run before did not look for them, or knew others
+                kept["mistakes"] = found
+                self.write(student, kept)
+            return kept
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         for attempt in (1, 2):
@@ -132,9 +132,18 @@ class Term:
             except (submission.Infrastructure, OSError) as problem:
                 if attempt == 2:
                     return submission.refusal(self.kit, f"not graded, since the machine failed: {problem}", self.seed) | {"status": "error", "student": student.name}
-        result |= {"key": key, "student": student.name, "header": archive.plain(where), "mistakes": mistakes.found_in(result, self.known, self.who)}
+        result |= {"key": key, "student": student.name, "header": archive.plain(where), "mistakes": mistakes.found_in(result, self.known, self.who)} | before
         self.write(student, result)
         return result
+
+    @staticmethod
+    def _kept(folder: pathlib.Path) -> dict | None:
+        """What an earlier run wrote about a student, if it is whole."""
+        try:
+            kept = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+            return kept if {"score", "steps", "mistakes"} <= kept.keys() else None
+        except (OSError, ValueError, AttributeError):
+            return None
 
     def write(self, student: Student, result: dict) -> None:
         folder = self.out / "students" / student.folder
@@ -147,6 +156,7 @@ class Term:
     def write_class(self, everyone: list[Student], results: dict[str, dict]) -> None:
         rows = [(student.name, results[student.folder]) for student in everyone if student.folder in results]
         whole.write(self.out / "gradebook.csv", overview.gradebook(self.kit, rows), errors="replace")
+        whole.write(self.out / "changes.csv", overview.changes(rows), errors="replace")
         whole.write(self.out / "overview.html", overview.overview(self.kit, rows, {student.name: student.folder for student in everyone}, self.seed), errors="replace")
 
 
