@@ -14,7 +14,7 @@ import sys
 
 QUESTION, ANSWER, EXCEPTION, CALLBACK, REPLY = 1, 2, 3, 4, 5  # grading/wire.hpp
 HEAD = struct.Struct("=IIQ")  # size, kind, serial
-Message = tuple[int, bytes]
+Answer = list[list]  # messages: kind, data and, to a callback, what the judge replied
 
 
 def receive(channel: socket.socket) -> tuple[int, int, bytes]:
@@ -34,25 +34,28 @@ def record(judge: socket.socket, file: pathlib.Path, worker: str) -> None:
     os.set_inheritable(theirs.fileno(), True)
     subprocess.Popen(["/bin/sh", "-c", f"exec \"$0\" 3<&{theirs.fileno()} {theirs.fileno()}<&-", worker], pass_fds=[theirs.fileno()])
     theirs.close()
-    open_questions: list[tuple[bytes, list[Message]]] = []
+    open_questions: list[tuple[bytes, list[list]]] = []
     with open(file, "ab") as log:
         while True:
             kind, serial, data = receive(judge)
             send(ours, kind, serial, data)
             if kind == QUESTION:
                 open_questions.append((data, []))
-            while open_questions:  # until the worker waits for the judge, or has answered
-                kind, serial, data = receive(ours)
-                open_questions[-1][1].append((kind, data))
-                if kind != CALLBACK:
-                    pickle.dump(open_questions.pop(), log)
-                    log.flush()
-                send(judge, kind, serial, data)
-                break
+            elif kind == REPLY:
+                open_questions[-1][1][-1][2] = data
+            if not open_questions:
+                continue
+            kind, serial, data = receive(ours)
+            open_questions[-1][1].append([kind, data, None])
+            if kind != CALLBACK:
+                pickle.dump(open_questions.pop(), log)
+                log.flush()
+            send(judge, kind, serial, data)
 
 
-def known(file: pathlib.Path) -> tuple[dict[bytes, list[Message]], dict[bytes, list[Message]]]:
-    """What was answered to each question; and, for each function, what was answered to the last one of it that got an answer."""
+def known(file: pathlib.Path) -> tuple[dict[bytes, list[Answer]], dict[bytes, list[Answer]]]:
+    """All answers to each question (to a question that hands in a function there may be several: it depends on what that function
+    says); and, for each function, an answer to some question."""
     answers, by_function = {}, {}
     with open(file, "rb") as log:
         while True:
@@ -60,23 +63,29 @@ def known(file: pathlib.Path) -> tuple[dict[bytes, list[Message]], dict[bytes, l
                 question, messages = pickle.load(log)
             except EOFError:
                 return answers, by_function
-            answers[question] = messages
+            if messages not in answers.setdefault(question, []):
+                answers[question].append(messages)
             if messages[-1][0] == ANSWER:
-                by_function[question[:4]] = messages
+                by_function[question[:4]] = [messages]
 
 
 def play(judge: socket.socket, file: pathlib.Path) -> None:
     answers, by_function = known(file)
 
     def answer(serial: int, question: bytes) -> None:
-        for kind, data in answers.get(question) or by_function.get(question[:4], [(ANSWER, b"")]):
+        possible = answers.get(question) or by_function.get(question[:4], [[[ANSWER, b"", None]]])
+        for i in range(max(map(len, possible))):
+            kind, data, _ = possible[0][i]
             send(judge, kind, serial, data)
             while kind == CALLBACK:
                 got, inner, reply = receive(judge)
                 if got == QUESTION:
                     answer(inner, reply)
-                else:
-                    break
+                    continue
+                possible = [each for each in possible if each[i][2] == reply] or possible[:1]
+                break
+            if kind != CALLBACK:
+                return
 
     while True:
         _, serial, question = receive(judge)
