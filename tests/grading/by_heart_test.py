@@ -25,7 +25,7 @@ WITHOUT_INPUTS = {("13", 8)}
 class ByHeart(unittest.TestCase):
     names: list[str] = []
 
-    def tests_of(self, judge: pathlib.Path, stage: pathlib.Path, *words: str, seed: int = 1) -> dict[str, bool]:
+    def asked(self, judge: pathlib.Path, stage: pathlib.Path, *words: str, seed: int = 1) -> dict[str, bool]:
         command = stage / "command"
         command.write_bytes(b"".join(word.encode() + b"\0" for word in (sys.executable, "-B", str(PLAYER), *words)))
         environment = {"LANTERN_WORKER": str(command), "LANTERN_SEED": str(seed), "LANTERN_CALL_SECONDS": "300", "LANTERN_CASE_SECONDS": "900"}
@@ -41,11 +41,11 @@ class ByHeart(unittest.TestCase):
                 stage = pathlib.Path(name)
                 made = submission.verified(kit.made(lab, stage), box)
                 public, hidden = made.judges
-                recorded = self.tests_of(public, stage, "record", str(stage / "known"), str(stage / "reference"))
+                recorded = self.asked(public, stage, "record", str(stage / "known"), str(stage / "reference"))
                 self.assertEqual([name for name, passed in recorded.items() if not passed], [])
-                played = self.tests_of(public, stage, "play", str(stage / "known"))
+                played = self.asked(public, stage, "play", str(stage / "known"))
                 self.assertEqual([name for name, passed in played.items() if not passed], [], "these answers are not known by heart")
-                passed = [name for name, passed in self.tests_of(hidden, stage, "play", str(stage / "known"), seed=secrets.randbelow(1 << 48)).items() if passed]
+                passed = [name for name, passed in self.asked(hidden, stage, "play", str(stage / "known"), seed=secrets.randbelow(1 << 48)).items() if passed]
                 print(f"{lab.folder:<24} {len(played)} public tests known by heart, {len(passed)} hidden ones", file=sys.stderr, flush=True)
                 self.assertEqual(passed, [])
                 for step in range(1, len(lab.steps) + 1):
