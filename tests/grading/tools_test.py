@@ -388,6 +388,11 @@ class Release(Scratch):
             self.assertFalse((self.out / name).exists(), name)
         self.assertNotIn("axis_not_normalised", (self.out / "tests/labs/CMakeLists.txt").read_text(encoding="utf-8"))
 
+    def test_all_labs_can_be_released(self):
+        out = self.folder / "all"
+        release.copy(labs.all_labs(), out)
+        self.assertEqual(release.leaks(out, labs.all_labs()), [])
+
     def test_whatever_leaks_is_found(self):
         region = release.regions(LAB.solution_file.read_text(encoding="utf-8"))[0]
         for name, text in (("docs/notes.txt", "\n".join("  " + line.strip() + " // mine" for line in region.splitlines())), ("mutants/x.mutant", "who: me"), ("solutions/a.hpp", ""),
