@@ -105,7 +105,7 @@ interval any_range(numbers& random) {
 /// Walks all rays, the first half of them to the end, the others until a hit that their first cell tells; what is wrong with them.
 template <class Walk>
 std::string flaw_of_walks(numbers& random, const Walk& walk, const std::vector<cell_box>& cells, const aabb& box) {
-    const std::vector<ray> rays = towards(random, box, 120);
+    const std::vector<ray> rays = towards(random, box, 60);
     const interval range = any_range(random);
     std::vector<double> ends(rays.size(), INFINITY);
     for (std::size_t k = rays.size() / 2; k < rays.size(); ++k) {
@@ -222,7 +222,7 @@ TEST_CASE("the cells of any box", "[step2]") {
 
 TEST_CASE("any walk through any grid", "[step3]") {
     numbers random = hidden::drawn(3);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 4; ++i) {
         const aabb box = any_box(random);
         const glm::ivec3 count(1 + int(hidden::below(random, 9)), 1 + int(hidden::below(random, 9)), 1 + int(hidden::below(random, 9)));
         std::vector<cell_box> cells;
@@ -328,7 +328,7 @@ TEST_CASE("the cheapest of any cuts", "[step7]") {
 
 TEST_CASE("any walk through any kd-tree", "[step8]") {
     numbers random = hidden::drawn(8);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 4; ++i) {
         const aabb box = any_box(random);
         kd_tree tree{box, {{3, 0, 0, 0}}};
         std::vector<aabb> boxes{box};
@@ -360,7 +360,7 @@ TEST_CASE("in any cloud of balls every structure finds the closest, and tests fe
         balls.push_back(b);
         boxes.push_back({b.center - b.radius, b.center + b.radius});
     }
-    const std::vector<ray> rays = towards(random, {glm::vec3(-1), glm::vec3(1)}, 60);
+    const std::vector<ray> rays = towards(random, {glm::vec3(-1), glm::vec3(1)}, 40);
     for (const structure which : {structure::grid, structure::octree, structure::kd_tree}) {
         std::vector<interval> found(rays.size());
         std::size_t offers = 0;
