@@ -71,6 +71,8 @@ using quad_integers = std::int32_t __attribute__((vector_size(16)));  ///< 4
 /// x in all lanes.
 [[gnu::always_inline]] inline void spread(float x, floats& to) { to = floats{x, x, x, x, x, x, x, x}; }
 
+[[gnu::always_inline]] inline void spread(double x, doubles& to) { to = doubles{x, x, x, x}; }
+
 /// Eight floats in a row, that many bytes from an address; a multiple of 32 both.
 [[gnu::always_inline]] inline void load(const float* from, std::size_t bytes, floats& to) {
     using in_memory = floats __attribute__((may_alias));

@@ -41,12 +41,12 @@ struct alignas(32) triangle_packet {
 /// A ray made ready to be tested against many packets: the shear that turns its direction into (0, 0, 1).
 struct sheared_ray {
     std::size_t x, y, z;  ///< where a packet's rows for the axes begin; z is the one along which the direction is longest
-    double ox, oy, oz;    ///< the origin along them
-    double sx, sy, sz;
-    double doubt;         ///< by how much at most an edge function may be wrong
+    doubles ox, oy, oz;   ///< the origin along them; all lanes alike, here and below
+    doubles sx, sy, sz;
+    doubles doubt;        ///< by how much at most an edge function may be wrong
 
     /// `reach`: the largest coordinate of any triangle. With P the largest component of vertex - origin, sheared coordinates are
-    /// up to 2 P and wrong by 9 · 2^-53 P, hence the edge functions by less than 2^-46 P²: see `intersect` of a triangle.
+    /// up to 2 P and wrong by 9 · 2^-53 P, hence the edge functions by less than 2^-46 P²: docs/headers/triangle_packet.md.
     [[gnu::always_inline]] sheared_ray(const ray& r, float reach) {
         // Without branches: nobody can predict which way the next ray goes.
         quad length{r.direction.x, r.direction.y, r.direction.z};
@@ -60,15 +60,23 @@ struct sheared_ray {
         z = 4 * kz;
         const float* const o = &r.origin.x;
         const float* const d = &r.direction.x;
-        ox = o[kx];
-        oy = o[ky];
-        oz = o[kz];
-        sz = 1 / double(d[kz]);
-        sx = -double(d[kx]) * sz;
-        sy = -double(d[ky]) * sz;
+        spread(o[kx], ox);
+        spread(o[ky], oy);
+        spread(o[kz], oz);
+        const double per_z = 1 / double(d[kz]);
+        spread(per_z, sz);
+        spread(-double(d[kx]) * per_z, sx);
+        spread(-double(d[ky]) * per_z, sy);
         const double farthest = double(std::max(std::max(std::abs(o[0]), std::abs(o[1])), std::abs(o[2]))) + double(reach);
-        doubt = 0x1p-46 * farthest * farthest;
+        spread(0x1p-46 * farthest * farthest, doubt);
     }
+};
+
+/// The corners of four triangles, sheared: beside the ray, seen along it.
+struct packet_corners {
+    struct {
+        doubles x, y;
+    } a, b, c;
 };
 
 /// What a ray and a packet have in common, triangle by triangle.
@@ -76,18 +84,15 @@ struct packet_hits {
     doubles u, v, w;       ///< the edge functions: the weights of a, b and c, if divided by their sum
     doubles normal[3];     ///< n = (b - a) x (c - a)
     doubles above, speed;  ///< n * (a - o) and n * d: t = above / speed
+    std::uint32_t alike;   ///< the lanes where all of these are what `intersect` of the triangle computes, to the last bit
 };
 
-/// Which triangles the line of a finite ray passes through: bit i for triangle i; and u, v, w. The same arithmetic, number by
-/// number, as in `intersect` of a single triangle. Where rounding might decide it says yes, so it never says no to a triangle that
-/// is hit.
+/// Which triangles the line of a finite ray passes through: bit i for triangle i. Where rounding might decide it says yes, so it
+/// never says no to a triangle that is hit. Nearly all triangles end here, so it costs as little as can be.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t passes_through(const triangle_packet& p, const sheared_ray& r,
-                                                                      packet_hits& hits) {
-    struct {
-        doubles x, y;
-    } corner[3];
+                                                                      packet_corners& corner) {
     const float *const in_x = p.vertex + r.x, *const in_y = p.vertex + r.y, *const in_z = p.vertex + r.z;
-    for (std::size_t v = 0; v < 3; ++v) {
+    const auto shear = [&](std::size_t v, auto& to) __attribute__((always_inline)) {
         doubles x, y, z;
         widen(in_x + 12 * v, x);
         widen(in_y + 12 * v, y);
@@ -95,32 +100,39 @@ struct packet_hits {
         x -= r.ox;
         y -= r.oy;
         z -= r.oz;
-        multiply_add(doubles{r.sx, r.sx, r.sx, r.sx}, z, x, corner[v].x);
-        multiply_add(doubles{r.sy, r.sy, r.sy, r.sy}, z, y, corner[v].y);
-    }
+        multiply_add(r.sx, z, x, to.x);
+        multiply_add(r.sy, z, y, to.y);
+    };
+    shear(0, corner.a);
+    shear(1, corner.b);
+    shear(2, corner.c);
     const auto& [A, B, C] = corner;
+    const auto edge = [](const auto& from, const auto& to, doubles& side) __attribute__((always_inline)) {
+        multiply_add(from.x, to.y, -(from.y * to.x), side);
+    };
     doubles u, v, w;
-    difference_of_products(C.x, B.y, C.y, B.x, u);
-    difference_of_products(A.x, C.y, A.y, C.x, v);
-    difference_of_products(B.x, A.y, B.y, A.x, w);
-    hits.u = u;
-    hits.v = v;
-    hits.w = w;
+    edge(C, B, u);
+    edge(A, C, v);
+    edge(B, A, w);
     doubles least = u, most = u;
     keep_smaller(least, v);
     keep_smaller(least, w);
     keep_larger(most, v);
     keep_larger(most, w);
     // Inside where no two signs differ, as far as double can tell; never for NaN.
-    const doubles doubt{r.doubt, r.doubt, r.doubt, r.doubt};
-    return lanes_less(-doubt, least) | lanes_less(most, doubt);
+    return lanes_less(-r.doubt, least) | lanes_less(most, r.doubt);
 }
 
-/// Where a ray meets the planes of the four triangles, again number by number as in `intersect` of one. Returns the lanes
-/// where double is enough for that; in the others, which are rare, the triangle itself must be asked.
-/// Where t is negative it says no more than that.
+/// Where a ray meets the planes of the four triangles. Returns the lanes where t, rounded to float, is the triangle's own: because
+/// it is computed in the same way, number by number, or because no error that it may have would change how it is rounded. In the
+/// others, which are rare, the triangle itself must be asked. Where t is negative it says no more than that. (docs/headers/triangle_packet.md)
 [[nodiscard, gnu::always_inline]] inline std::uint32_t meets_plane(const triangle_packet& p, const sheared_ray& r, const ray& given,
-                                                                   std::uint32_t lanes, packet_hits& hits) {
+                                                                   std::uint32_t lanes, const packet_corners& corner,
+                                                                   packet_hits& hits) {
+    const auto& [A, B, C] = corner;
+    difference_of_products(C.x, B.y, C.y, B.x, hits.u);
+    difference_of_products(A.x, C.y, A.y, C.x, hits.v);
+    difference_of_products(B.x, A.y, B.y, A.x, hits.w);
     const precise::ray exact = precise::widen(given);
     doubles e1[3], e2[3], to[3];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -160,8 +172,9 @@ struct packet_hits {
     keep_larger(most, hits.v);
     keep_larger(most, hits.w);
     const doubles span = distance + (size1 + size2), doubt = 0x1p-47 * (span * span);
-    const std::uint32_t sure = (lanes_less(doubt, least) | lanes_less(most, -doubt)) & lanes_less(low, height) & lanes_less(flat, slope);
-    if ((lanes & ~sure) == 0) return sure;
+    const std::uint32_t inside = lanes_less(doubt, least) | lanes_less(most, -doubt);
+    hits.alike = inside & lanes_less(low, height) & lanes_less(flat, slope);
+    if ((lanes & ~hits.alike) == 0) return hits.alike;
     // Behind the origin for certain: most often the very triangle that the ray has just left.
     doubles nearest, z;
     for (std::size_t v = 0; v < 3; ++v) {
@@ -171,8 +184,16 @@ struct packet_hits {
         keep_smaller(nearest, z);
     }
     const doubles zero{};
-    const std::uint32_t behind = lanes_less(hits.above, zero) ^ lanes_less(hits.speed, zero);
-    return sure | (lanes_less(0x1p-30 * low, height) & lanes_less(0x1p-30 * flat, slope) & behind & ~lanes_less(zero, nearest));
+    const std::uint32_t backwards = lanes_less(hits.above, zero) ^ lanes_less(hits.speed, zero);
+    const std::uint32_t behind = backwards & lanes_less(0x1p-30 * low, height) & lanes_less(0x1p-30 * flat, slope) & ~lanes_less(zero, nearest);
+    if ((lanes & ~(hits.alike | behind)) == 0) [[likely]] return hits.alike | behind;
+    // Ahead, and all t that it may be round alike. above and speed are wrong by less than 2^-49 |e1| |e2| |a - o| and 2^-49 |e1| |e2| |d|.
+    const doubles error = 0x1p-50 + 0x1p-34 * (low / height + flat / slope), t = hits.above / hits.speed;
+    quad first, last;
+    narrow(t - t * error, first);
+    narrow(t + t * error, last);
+    const std::uint32_t alike = lanes_of(quad_integers(first == last)) & lanes_less(error, 0x1p-20 + zero);
+    return hits.alike | behind | (inside & ~backwards & alike);
 }
 
 }  // namespace lantern

@@ -37,18 +37,18 @@ inline constexpr std::uint32_t node_blocks = sizeof(node) / sizeof(block);
 inline constexpr std::uint32_t packet_blocks = sizeof(triangle_packet) / sizeof(block);
 static_assert(sizeof(node) == 224 && sizeof(triangle_packet) == 160);
 
-/// Where a child begins, in units of eight bytes: an address is one addition away. Blocks are four of these, so the lowest
-/// two bits are free to say how many packets it is, from one to three; zero is a node.
+/// Where a child begins, in units of four bytes: an address is one addition away. Blocks are eight of these, so the lowest
+/// three bits are free to say how many packets it is, from one to seven; zero is a node.
 [[nodiscard]] constexpr std::uint32_t word(std::size_t block, std::uint32_t packets) {
-    return static_cast<std::uint32_t>(block * sizeof(wide::block) / 8) + packets;
+    return static_cast<std::uint32_t>(block * sizeof(wide::block) / 4) + packets;
 }
 
 /// The other way round.
-[[nodiscard]] constexpr std::uint32_t block_of(std::uint32_t word) { return word / std::uint32_t{sizeof(block) / 8}; }
+[[nodiscard]] constexpr std::uint32_t block_of(std::uint32_t word) { return word / std::uint32_t{sizeof(block) / 4}; }
 
 /// The block that a child's word leads to, if its packets are taken off.
 [[nodiscard, gnu::always_inline]] inline const std::byte* at(const std::byte* tree, std::uint32_t word) {
-    return tree + std::size_t{word} * 8;
+    return tree + std::size_t{word} * 4;
 }
 
 /// Fetched into the cache ahead: a node takes four of its lines. (GCC 12 leaves out calls of functions that do no more than
@@ -97,8 +97,9 @@ struct best_hit {
 
     best_hit() {}  // NOLINT: for most rays' sake
 
-    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, packet_hits& hits, traveller& r, auto& counter) {
-        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, hits);
+    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners& corner, traveller& r, auto& counter) {
+        packet_hits hits;
+        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, corner, hits);
         const doubles all = hits.above / hits.speed;
         do {
             counter.offer();
@@ -114,7 +115,7 @@ struct best_hit {
                 lane = i;
                 index = p.index[i];
                 t = found;
-                sure = certain;
+                sure = (hits.alike >> i & 1) != 0;
                 u = hits.u[i];
                 v = hits.v[i];
                 w = hits.w[i];
@@ -157,8 +158,9 @@ struct best_hit {
 struct any_hit {
     bool found = false;
 
-    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, packet_hits& hits, const traveller& r, auto& counter) {
-        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, hits);
+    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners& corner, const traveller& r, auto& counter) {
+        packet_hits hits;
+        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, corner, hits);
         // Well within the range? That takes no division.
         const double first = std::max(r.range.min * (1 + 0x1p-20), 0x1p-126);
         const double last = std::min(r.range.max, std::numeric_limits<float>::max()) * (1 - 0x1p-20);
@@ -182,7 +184,7 @@ struct any_hit {
 template <class Offer>
 struct offering {
     Offer& offer;
-    bool visit(const triangle_packet& p, std::uint32_t lanes, packet_hits&, traveller& r, auto& counter) {
+    bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners&, traveller& r, auto& counter) {
         for (; lanes != 0 && !empty(r.range); lanes &= lanes - 1) {
             counter.offer();
             r.range = offer(p.index[std::countr_zero(lanes)], r.range);
@@ -257,14 +259,14 @@ template <bool near_first>
 template <bool near_first, class Probe, class Visitor>
 [[gnu::always_inline]] inline bool step(const std::byte* tree, traveller& r, Visitor& visitor, Probe& counter) {
     counter.node();
-    if (std::uint32_t packets = r.next & 3; packets == 0) {
+    if (std::uint32_t packets = r.next & 7; packets == 0) {
         if (enter<near_first>(tree, *reinterpret_cast<const node*>(at(tree, r.next)), r)) return true;
     } else {
         const auto* packet = reinterpret_cast<const triangle_packet*>(at(tree, r.next - packets));
         do {
-            packet_hits hits;
-            const std::uint32_t lanes = passes_through(*packet, r.triangles, hits);
-            if (lanes != 0 && !visitor.visit(*packet, lanes, hits, r, counter)) return false;
+            packet_corners corner;
+            const std::uint32_t lanes = passes_through(*packet, r.triangles, corner);
+            if (lanes != 0 && !visitor.visit(*packet, lanes, corner, r, counter)) return false;
             ++packet;
         } while (--packets != 0);
     }
