@@ -72,11 +72,13 @@ public:
         std::uint32_t children;      ///< the first of two; 0 for a leaf
         std::uint32_t blocks;        ///< for whoever lays it out
     };
-    static constexpr std::uint32_t packet_size = 4, most_packets = 3;  ///< of triangles; of packets in a leaf
+    static constexpr std::uint32_t packet_size = 4, most_packets = 7;  ///< of triangles; of packets in a leaf
     static constexpr std::uint32_t max_depth = 60;
 
-    /// Reorders the items, of which there is at least one. The tree is the same with any number of threads.
-    binary_tree(std::span<item> items, helpers& others) : items_(items), branches_(2 * items.size()), others_(others) {
+    /// Reorders the items, of which there is at least one. The tree is the same with any number of threads. `by_length`: where many
+    /// boxes are long and overlap, those that are long in the same way are put together, too.
+    binary_tree(std::span<item> items, bool by_length, helpers& others)
+        : items_(items), branches_(2 * items.size()), by_length_(by_length), others_(others) {
         extent all;
         for (const item& i : items) all.add(corners(i));
         place(0, all, 0, static_cast<std::uint32_t>(items.size()));
@@ -121,7 +123,7 @@ private:
         const auto [box, first, count, none, nothing] = branches_[at];
         if (count <= packet_size) return;
         extent low, high;
-        const std::uint32_t middle = cut(items_.subspan(first, count), all, levels, low, high);
+        const std::uint32_t middle = cut(items_.subspan(first, count), all, by_length_, levels, low, high);
         if (middle == 0) return;
         const std::uint32_t lower = used_.fetch_add(2), upper = lower + 1;
         branches_[at].children = lower;
@@ -132,10 +134,10 @@ private:
 
     // Orders the items and says how many go to the lower child: where area times packets, summed over both children, is
     // least; into halves where no cut is found, or where the levels would run out otherwise. 0 where a leaf is cheaper.
-    static std::uint32_t cut(std::span<item> items, const extent& all, std::uint32_t levels, extent& low, extent& high) {
+    static std::uint32_t cut(std::span<item> items, const extent& all, bool by_length, std::uint32_t levels, extent& low, extent& high) {
         const auto count = static_cast<std::uint32_t>(items.size());
         const bool needs_halving = static_cast<std::uint32_t>(std::bit_width(count / packet_size)) >= levels;
-        std::uint32_t middle = needs_halving ? 0 : cheapest_cut(items, all, low, high);
+        std::uint32_t middle = needs_halving ? 0 : cheapest_cut(items, all, by_length, low, high);
         if ((middle > 0 && middle < count) || count <= most_packets * packet_size) return middle;
         const quad size = all.centers.upper - all.centers.lower;
         const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
@@ -157,16 +159,34 @@ private:
         return (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]) * packets(count);
     }
 
+    // What tells items apart: where their boxes' centers are, doubled, or how long the boxes are; axis by axis.
+    enum class measure { center, length };
+    static quad measured(measure what, const box4& b) { return what == measure::center ? b.lower + b.upper : b.upper - b.lower; }
+
+    // From a box to its bin on each axis.
+    struct binning {
+        measure what;
+        quad lower, scale{};
+
+        binning(measure of, const box4& range, std::uint32_t used) : what(of), lower(range.lower) {
+            const quad size = range.upper - range.lower;
+            for (int axis = 0; axis < 3; ++axis)
+                if (size[axis] > 0) scale[axis] = std::min(0.9999f * float(used) / size[axis], std::numeric_limits<float>::max());
+        }
+        quad_integers operator()(const box4& b) const {
+            return __builtin_convertvector((measured(what, b) - lower) * scale, quad_integers);
+        }
+    };
+
+    struct candidate {
+        double cost;
+        std::optional<binning> by;
+        int axis = 0;
+        std::uint32_t bin = 0;  // the first that goes to the upper child
+    };
+
     // All axes are tried, each with up to 16 bins (Wald 2007).
-    static std::uint32_t cheapest_cut(std::span<item> items, const extent& all, extent& low, extent& high) {
-        const auto used = std::min(bins, static_cast<std::uint32_t>(4 + items.size() / 4));
-        const quad size = all.centers.upper - all.centers.lower;
-        quad scale{};  // from a center to its bin
-        for (int axis = 0; axis < 3; ++axis)
-            if (size[axis] > 0) scale[axis] = std::min(0.9999f * float(used) / size[axis], std::numeric_limits<float>::max());
-        const auto bin_of = [&](const box4& b) {
-            return __builtin_convertvector((b.lower + b.upper - all.centers.lower) * scale, quad_integers);
-        };
+    static void try_cuts(std::span<const item> items, const binning& bin_of, std::uint32_t used, candidate& best) {
         std::array<std::array<box4, bins>, 3> box;
         std::array<std::array<std::uint32_t, bins>, 3> number{};
         for (auto& row : box) std::fill_n(row.begin(), used, extent{}.box);
@@ -180,10 +200,6 @@ private:
                 ++number[axis][k];
             }
         }
-        double least = std::numeric_limits<double>::infinity();
-        if (items.size() <= most_packets * packet_size) least = cost(all.box, items.size()) - step_cost * cost(all.box, 1);
-        int best_axis = 0;
-        std::uint32_t best_bin = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             std::array<double, bins> above{};
             box4 sum = extent{}.box;
@@ -202,19 +218,32 @@ private:
             for (std::uint32_t k = 1; k < used; ++k) {
                 add(k - 1);
                 if (count == 0 || count == items.size()) continue;
-                if (const double c = cost(sum, count) + above[k]; c < least) {
-                    least = c;
-                    best_axis = static_cast<int>(axis);
-                    best_bin = k;
-                }
+                if (const double c = cost(sum, count) + above[k]; c < best.cost) best = {c, bin_of, static_cast<int>(axis), k};
             }
         }
-        if (!(least > 0 && best_bin > 0)) return 0;
+    }
+
+    static std::uint32_t cheapest_cut(std::span<item> items, const extent& all, bool by_length, extent& low, extent& high) {
+        const auto used = std::min(bins, static_cast<std::uint32_t>(4 + items.size() / 4));
+        candidate best{std::numeric_limits<double>::infinity(), std::nullopt};
+        if (items.size() <= most_packets * packet_size) best.cost = cost(all.box, items.size()) - step_cost * cost(all.box, 1);
+        try_cuts(items, binning(measure::center, all.centers, used), used, best);
+        if (by_length) {
+            box4 lengths = extent{}.box;
+            for (const item& i : items) {
+                const quad length = measured(measure::length, corners(i));
+                keep_smaller(lengths.lower, length);
+                keep_larger(lengths.upper, length);
+            }
+            try_cuts(items, binning(measure::length, lengths, used), used, best);
+        }
+        if (!(best.cost > 0 && best.by)) return 0;
         low = high = {};
+        const binning bin_of = *best.by;
         std::size_t first = 0, last = items.size();
         while (first < last) {
             const box4 b = corners(items[first]);
-            if (bin_of(b)[best_axis] < static_cast<std::int32_t>(best_bin)) {
+            if (bin_of(b)[best.axis] < static_cast<std::int32_t>(best.bin)) {
                 low.add(b);
                 ++first;
             } else {
@@ -228,6 +257,7 @@ private:
     std::span<item> items_;
     std::vector<branch, large_page_allocator<branch>> branches_;
     std::atomic<std::uint32_t> used_{2};  // 1 stays free: two children never straddle
+    bool by_length_;
     helpers& others_;
 };
 

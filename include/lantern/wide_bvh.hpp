@@ -14,6 +14,7 @@
 #include <lantern/triangle_packet.hpp>
 #include <lantern/validate.hpp>
 #include <lantern/wide_build.hpp>
+#include <lantern/wide_split.hpp>
 #include <lantern/wide_walk.hpp>
 
 #include <glm/common.hpp>
@@ -55,12 +56,14 @@ public:
         size_ = static_cast<std::uint32_t>(count);
         wide::item_list items;
         items.reserve(count);
+        wide::needles needles;
         const auto begin = std::ranges::begin(triangles);
         for (std::uint32_t i = 0; i < size_; ++i) {
             const triangle t = begin[i];
             if (!is_finite(t.a) || !is_finite(t.b) || !is_finite(t.c)) continue;
             const aabb box = bounds(t);
             items.push_back({box.min, i, box.max, 0});
+            needles.add(t, items.back());
             const glm::vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
             reach_ = std::max(reach_, std::max(std::max(far.x, far.y), far.z));
         }
@@ -68,9 +71,30 @@ public:
         left_out_ = size_ - static_cast<std::uint32_t>(items.size());
         if (items.empty()) return;
         wide::helpers others(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()));
-        binary_tree tree(items, others);
-        // One packet of nothing comes first: that is where the unused slots of nodes lead.
-        blocks_.resize(wide::packet_blocks + measure(tree, 0));
+        std::optional<binary_tree> tree;
+        std::size_t blocks = 0;
+        const auto plant = [&](bool by_length) {
+            tree.emplace(items, by_length, others);
+            blocks = wide::packet_blocks + measure(*tree, 0);  // one packet of nothing comes first: unused slots of nodes lead there
+        };
+        // A few long thin triangles are cut up; but if they are many, that would take too much memory.
+        const std::size_t thin = needles.count(items);
+        std::size_t cuts = items.size() * 3 / 10;
+        if (thin > 0 && thin <= cuts) {
+            const auto triangle_of = [&](std::uint32_t i) -> triangle { return begin[i]; };
+            const wide::item_list whole = items;
+            do {
+                needles.cut(items, triangle_of, cuts);
+                plant(false);
+                if (blocks * sizeof(wide::block) <= most_bytes * count) break;
+                cuts /= 2;
+                items = whole;
+                tree.reset();
+            } while (thin <= cuts);
+        }
+        if (!tree) plant(thin > 0);
+        if (blocks >= std::size_t{1} << 29) refuse("wide_bvh: the memory for it", std::to_string(blocks * sizeof(wide::block)), "below 2^34 bytes");
+        blocks_.resize(blocks);
         put(0, triangle_packet{});
         const auto packet = [&](std::uint32_t first, std::uint32_t number) {
             triangle_packet p;
@@ -80,7 +104,7 @@ public:
             }
             return p;
         };
-        root_ = lay_out(tree, 0, wide::packet_blocks, packet, others);
+        root_ = lay_out(*tree, 0, wide::packet_blocks, packet, others);
     }
 
     /// See the concept `accelerator`.
@@ -225,6 +249,9 @@ private:
         lay_out_from(lay_out_from, 0);
         return wide::word(where, 0);
     }
+
+    // For each triangle, if needles are cut; without that it takes about fifty.
+    static constexpr std::size_t most_bytes = 70;
 
     // A level leaves seven siblings behind.
     using stack = std::array<std::uint64_t, 7 * binary_tree::max_depth + 8>;
