@@ -40,8 +40,8 @@ struct wide_bvh_options {
 };
 
 /// It keeps the triangles themselves, four in a packet, and needs no mesh to find a hit: `closest(tree, ray)`. It is an
-/// accelerator, too, and then offers only triangles that the ray's line passes through. What it answers is what `every`
-/// answers, to the last bit. Only what lies ahead of a ray's origin is found, whatever the range says.
+/// accelerator, too, and then offers only triangles that the ray's line passes through; a needle perhaps more than once. What it
+/// answers is what `every` answers, to the last bit. Only what lies ahead of a ray's origin is found, whatever the range says.
 class wide_bvh {
     using binary_tree = wide::binary_tree;
 
