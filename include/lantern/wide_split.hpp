@@ -57,7 +57,7 @@ public:
     void add(const triangle& t, const item& i) {
         const double area = half_area(i);
         area_ += area;
-        // The area of a triangle of good shape is at least an eighth of this. A needle's is next to nothing, unless it lies along an axis;
+        // Twice the area of a triangle of good shape is at least an eighth of this. A needle's is next to nothing, unless it lies along an axis;
         // then its box fits, too.
         const glm::dvec3 n = glm::cross(glm::dvec3(t.b) - glm::dvec3(t.a), glm::dvec3(t.c) - glm::dvec3(t.a));
         if (area * area > 64 * glm::dot(n, n)) found_.push_back(count_);
