@@ -33,6 +33,7 @@ set(LANTERN_FLOOR_1
   bounding_volume
   box_ray
   box_packet
+  box_quartet
   boxes_of
   camera
   filter
@@ -54,6 +55,7 @@ set(LANTERN_FLOOR_2
   box
   bvh
   bvh_layout
+  bvh_quartets
   closest
   coated
   cylinder

@@ -116,6 +116,17 @@ TEST_CASE("the range cuts the ray, and rounding t to float does not lose its las
     }
 }
 
+TEST_CASE("a box seems larger by what rounding may have moved, of its own coordinates and of the ray's origin, and no more") {
+    const aabb near{{0, 0, 0}, {1, 1, 1}}, far{{0x1p20f, 0, 0}, {0x1p20f, 1, 1}};
+    const auto beside = [](float x, float by) { return ray{{x, -by, 0.5f}, {1, 0, 0}}; };  // runs below the lower face
+    CHECK(overlaps(near, beside(-1, 0x1p-41f), {}));
+    CHECK_FALSE(overlaps(near, beside(-1, 0x1p-37f), {}));
+    CHECK(overlaps(near, beside(-0x1p20f, 0x1p-21f), {}));  // far is the origin
+    CHECK_FALSE(overlaps(near, beside(-0x1p20f, 0x1p-18f), {}));
+    CHECK(overlaps(far, beside(0, 0x1p-21f), {}));  // far is the box
+    CHECK_FALSE(overlaps(far, beside(0, 0x1p-18f), {}));
+}
+
 TEST_CASE("empty boxes are never met, infinite ones always") {
     dice d{6};
     const float inf = lantern::infinity;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -114,6 +115,18 @@ TEST_CASE("points that are equal, in line, on one sphere, or a hundred thousand"
     CHECK(smallest_sphere(many).radius <= quick_sphere(many).radius);
 }
 
+TEST_CASE("points of a coarse lattice, of which many lie in one plane, in line or on one sphere, have a smallest sphere all the same") {
+    dice d{7};
+    for (int i = 0; i < 20'000; ++i) {
+        hull h;
+        for (std::uint32_t k = 2 + d.below(10); k > 0; --k) h.points.emplace_back(d.below(4), d.below(4), i % 3 == 0 ? 0 : d.below(4));
+        const bounding_sphere s = smallest_sphere(h);
+        REQUIRE_FALSE(empty(s));
+        REQUIRE(holds(s, h));
+        REQUIRE(s.radius <= quick_sphere(h).radius * 1.000001f);
+    }
+}
+
 TEST_CASE("spheres are enclosed: two exactly, many well") {
     const bounding_sphere a{{0, 0, 0}, 1}, b{{5, 0, 0}, 2}, within{{0.5f, 0, 0}, 0.25f};
     CHECK(enclose(a, b).radius == Approx(4));
@@ -142,4 +155,14 @@ TEST_CASE("a sphere of NaN is empty; contains and bounds") {
     CHECK(bounds(s).min == glm::vec3(-1, -2, -2));
     CHECK(empty(bounds(bounding_sphere{})));
     CHECK(surface_area(s) == Approx(16 * 3.14159265));
+}
+
+TEST_CASE("a bounding sphere seems larger by what rounding may have moved, and no more") {
+    const bounding_sphere near{{0, 0, 0}, 1}, far{{0x1p20f, 0, 0}, 1};
+    const auto beside = [](float x, float by) { return lantern::ray{{x, 1 + by, 0}, {1, 0, 0}}; };  // runs above it
+    CHECK(overlaps(near, beside(-0x1p20f, 0x1p-21f), {}));
+    CHECK_FALSE(overlaps(near, beside(-0x1p20f, 0x1p-17f), {}));
+    CHECK(overlaps(far, beside(0, 0x1p-21f), {}));
+    CHECK_FALSE(overlaps(far, beside(0, 0x1p-17f), {}));
+    CHECK_FALSE(overlaps(near, beside(-2, 0x1p-23f), {}));
 }

@@ -52,6 +52,14 @@ TEST_CASE("box_ray: what a surface in the box may have been rounded by, is no mi
     CHECK_FALSE(meets(box, beside(0x1p-30f, 0.5f), {}));
     CHECK(meets(far, beside(0x1p-15f, 0x1p20f), {}));
     CHECK_FALSE(meets(far, beside(0x1p-10f, 0x1p20f), {}));
+    for (const float from : {0.0f, -1.0f}) {  // of a range that begins behind the origin, too
+        const interval range{from, 9};
+        CHECK(meets(box, beside(0x1p-35f, 0.5f), range));
+        CHECK_FALSE(meets(box, beside(0x1p-30f, 0.5f), range));
+        float entry;
+        CHECK(box_ray(beside(0.009f, 0.5f), range, 1, 0.01).meets(box, entry));  // of a box that is rounded itself
+        CHECK_FALSE(box_ray(beside(0.011f, 0.5f), range, 1, 0.01).meets(box, entry));
+    }
 }
 
 TEST_CASE("box_ray: the range cuts the ray, and rounding t to float does not lose its last hit") {
@@ -76,6 +84,8 @@ TEST_CASE("box_ray: the range cuts the ray, and rounding t to float does not los
         const float length = d.magnitude_between(-5, d.below(2) == 0 ? 5 : 38);  // t may be among the smallest floats
         const float t = static_cast<float>((double(z) - origin) / -length);
         REQUIRE(meets({{-1, -1, z}, {1, 1, z}}, {{0, 0, origin}, {0, 0, -length}}, {0, t}));
+        const float from_zero = static_cast<float>(double(z) / length);
+        REQUIRE(meets({{-1, -1, z}, {1, 1, z}}, {{0, 0, 0}, {0, 0, length}}, {0, from_zero}));
         const float behind = static_cast<float>((double(z) + origin) / -length);
         const interval range{d.below(2) == 0 ? 1.00001f * behind : 2 * behind, behind};
         if (!empty(range)) REQUIRE(meets({{-1, -1, z}, {1, 1, z}}, {{0, 0, -origin}, {0, 0, -length}}, range));

@@ -60,6 +60,25 @@ TEST_CASE("the surface area rule expects fewer tests than halving does, and so d
     CHECK(bottom_up < median);
 }
 
+TEST_CASE("the surface area rule makes leaves smaller where a look at two boxes costs less than the tests that it saves") {
+    const auto leaves = [](const std::vector<aabb>& boxes, split rule) {
+        bvh_layout layout(boxes, {.rule = rule});
+        std::vector<std::uint32_t> sizes;
+        for (const auto& n : layout.nodes())
+            if (n.size > 0) sizes.push_back(n.size);
+        return sizes;
+    };
+    const auto cube = [](float x, float size) { return aabb{{x, 0, 0}, {x + size, size, size}}; };
+    const std::vector<aabb> apart{cube(0, 1), cube(100, 1), cube(200, 1)}, together{cube(0, 1), cube(0.125f, 1), cube(0.25f, 1)};
+    const std::vector<aabb> two_and_two{cube(0, 1), cube(0.125f, 1), cube(100, 1), cube(100.125f, 1)};
+    CHECK(leaves(apart, split::surface_area) == std::vector<std::uint32_t>{1, 1, 1});
+    CHECK(leaves(together, split::surface_area) == std::vector<std::uint32_t>{3});
+    CHECK(leaves(two_and_two, split::surface_area) == std::vector<std::uint32_t>{2, 2});
+    CHECK(leaves(apart, split::middle) == std::vector<std::uint32_t>{3});
+    CHECK(leaves(apart, split::median) == std::vector<std::uint32_t>{3});
+    CHECK(leaves(apart, split::bottom_up) == std::vector<std::uint32_t>{3});
+}
+
 TEST_CASE("nothing has no nodes") {
     bvh_layout layout({}, {});
     CHECK(layout.nodes().empty());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <lantern/rectangle.hpp>
 
+#include <lantern/precise.hpp>
 #include <lantern/surface.hpp>
 
 #include "catch.hpp"
@@ -88,6 +89,24 @@ TEST_CASE("nothing leaks between two rectangles that share an edge") {
     }
     CHECK(aimed > count);
     CHECK(leaked == 0);
+}
+
+TEST_CASE("an edge is as wide as rounding, and no wider") {
+    const rectangle near{}, far{{64, 64, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (const rectangle& s : {near, far})
+        for (const int side : {0, 1, 2, 3}) {
+            const float size = s.corner.x + 2;  // of the numbers that are rounded
+            const auto beside = [&](float by) {  // a ray that passes an edge on the outside
+                const double x = side == 0 ? -double(by) : side == 1 ? 1 + double(by) : 0.5, y = side == 2 ? -double(by) : side == 3 ? 1 + double(by) : 0.5;
+                const lantern::precise::ray r{glm::dvec3(s.corner) + glm::dvec3(x, y, 1), {0, 0, -1}};
+                return intersect(s, r, interval{});
+            };
+            CAPTURE(s.corner.x, side);
+            CHECK(beside(0));
+            CHECK(beside(size * 0x1p-51f));
+            CHECK_FALSE(beside(size * 0x1p-45f));
+            CHECK_FALSE(beside(size * 0x1p-30f));
+        }
 }
 
 TEST_CASE("the bounds contain the corners for certain, and hardly more") {

@@ -104,7 +104,7 @@ struct ball {
         if (best.radius >= 0 && glm::length(points[i] - best.center) <= best.radius * (1 + 0x1p-36)) continue;
         on[fixed] = points[i];
         const ball larger = smallest_ball(points.first(i), on, fixed + 1);
-        if (larger.radius >= best.radius) best = larger;  // it is not only where points lie together or in line
+        if (larger.radius >= best.radius) best = larger;  // not so where points in one plane or in line span no sphere
     }
     return best;
 }

@@ -26,26 +26,20 @@ class box_ray {
 public:
     /// `reach`: the largest coordinate of the boxes that it will be tested against, and `rounded` by how much these may be off.
     /// Where coordinates are 2^126 and more, all boxes are met.
-    box_ray(const ray& r, interval range, double reach, double rounded = 0) {
-        // Where it begins behind its origin it is started there, so that no distance is negative.
-        start_ = std::clamp(double(range.min), -double(std::numeric_limits<float>::max()), 0.0);
-        const glm::dvec3 d(r.direction), from(r.origin), o = from + start_ * d, away = glm::abs(o) + glm::abs(from), length = glm::abs(d);
-        const double longest = std::max({length.x, length.y, length.z}), all = std::max({away.x, away.y, away.z}) + reach;
-        // The largest power of two <= longest: its exponent's bits alone. In this unit the longest is between 1 and 2.
-        per_unit_ = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) & 0x7ff0000000000000u);
-        const double scale = 1 / per_unit_;
-        for (int i = 0; i < 3; ++i) {
-            const bool forward = !(d[i] < 0);
-            const double shift = all < 0x1p126 ? 0x1p-22 * away[i] + (0x1p-34 * all + rounded) : infinity;
-            const double q = forward ? shift : -shift, per_length = 1 / std::max(0x1p-60, length[i] * scale);  // in this order for NaN
-            near_origin_[i] = static_cast<float>(o[i] + q);
-            far_origin_[i] = static_cast<float>(o[i] - q);
-            per_near_[i] = static_cast<float>(forward ? per_length : -per_length);
-            per_far_[i] = per_near_[i] * longer;
-            near_corner_[std::size_t(i)] = forward ? &aabb::min : &aabb::max;
-            far_corner_[std::size_t(i)] = forward ? &aabb::max : &aabb::min;
+    [[gnu::always_inline]] box_ray(const ray& r, interval range, double reach, double rounded = 0) {
+        const glm::vec3 away = glm::abs(r.origin), length = glm::abs(r.direction);
+        const float longest = std::max(std::max(length.x, length.y), length.z);
+        const float all = std::max(std::max(away.x, away.y), away.z) + static_cast<float>(reach);
+        if (range.min >= 0 && 0x1p-20f < longest && longest < 0x1p20f && all < 0x1p60f) [[likely]] {
+            const float beyond = static_cast<float>(rounded) + 0x1p-33f * all;
+            for (int i = 0; i < 3; ++i) {
+                const float q = std::copysign(0x1p-21f * away[i] + beyond, r.direction[i]);
+                look(i, r.origin[i] + q, r.origin[i] - q, std::copysign(1 / std::max(length[i], 0x1p-60f), r.direction[i]));
+            }
+            near_ = range.min;
+        } else {
+            make_ready(r, range, reach, rounded);
         }
-        near_ = static_cast<float>((range.min - start_) * per_unit_);
         shorten(range.max);
     }
 
@@ -67,13 +61,42 @@ public:
     /// Whether what begins there still counts.
     [[nodiscard]] bool reaches(float entry) const { return entry <= far_; }
 
+protected:
+    glm::vec3 near_origin_, far_origin_, per_near_, per_far_;
+    float near_, far_;
+
 private:
     static constexpr float longer = 1 + 0x1p-20f;
 
-    glm::vec3 near_origin_, far_origin_, per_near_, per_far_;
+    // Along an axis: from where the planes are seen, and what a difference of coordinates is as a distance.
+    [[gnu::always_inline]] void look(int axis, float near_origin, float far_origin, float per_length) {
+        const auto i = static_cast<std::size_t>(axis);
+        near_origin_[axis] = near_origin;
+        far_origin_[axis] = far_origin;
+        per_near_[axis] = per_length;
+        per_far_[axis] = per_length * longer;
+        near_corner_[i] = per_length < 0 ? &aabb::max : &aabb::min;
+        far_corner_[i] = per_length < 0 ? &aabb::min : &aabb::max;
+    }
+
+    // The same for rays of any length, from anywhere.
+    [[gnu::noinline]] void make_ready(const ray& r, interval range, double reach, double rounded) {
+        // Where it begins behind its origin it is started there, so that no distance is negative.
+        start_ = std::clamp(double(range.min), -double(std::numeric_limits<float>::max()), 0.0);
+        const glm::dvec3 d(r.direction), from(r.origin), o = from + start_ * d, away = glm::abs(o) + glm::abs(from), length = glm::abs(d);
+        const double longest = std::max({length.x, length.y, length.z}), all = std::max({away.x, away.y, away.z}) + reach;
+        // The largest power of two <= longest: its exponent's bits alone. In this unit the longest is between 1 and 2.
+        per_unit_ = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) & 0x7ff0000000000000u);
+        for (int i = 0; i < 3; ++i) {
+            const double shift = all < 0x1p126 ? 0x1p-22 * away[i] + (0x1p-34 * all + rounded) : infinity, q = std::copysign(shift, d[i]);
+            const double per_length = 1 / std::max(0x1p-60, length[i] * (1 / per_unit_));  // in this order for NaN
+            look(i, static_cast<float>(o[i] + q), static_cast<float>(o[i] - q), static_cast<float>(std::copysign(per_length, d[i])));
+        }
+        near_ = static_cast<float>((range.min - start_) * per_unit_);
+    }
+
     std::array<glm::vec3 aabb::*, 3> near_corner_, far_corner_;
-    double start_, per_unit_;  // t - start_, times per_unit_, is the distance in our unit
-    float near_, far_;
+    double start_ = 0, per_unit_ = 1;  // t - start_, times per_unit_, is the distance in our unit
 };
 
 }  // namespace lantern

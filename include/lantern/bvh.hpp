@@ -6,6 +6,7 @@
 #include <lantern/bounding_volume.hpp>
 #include <lantern/boxes_of.hpp>
 #include <lantern/bvh_layout.hpp>
+#include <lantern/bvh_quartets.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/ray.hpp>
@@ -37,7 +38,7 @@ public:
         bvh_layout layout(boxes, options);
         adopt(boxes.size(), layout);
         if constexpr (std::same_as<Volume, aabb>) {
-            nodes_ = std::move(layout.nodes());
+            adopt_boxes(layout);
         } else {
             std::vector<Volume> volumes;
             for (const std::uint32_t i : indices_) volumes.push_back(volume_of<Volume>(std::ranges::begin(surfaces)[i]));
@@ -50,15 +51,16 @@ public:
     {
         bvh_layout layout(boxes, options);
         adopt(boxes.size(), layout);
-        nodes_ = std::move(layout.nodes());
+        adopt_boxes(layout);
     }
 
     /// See the concept `accelerator`. Both children are looked at together; the nearer one comes first, and the other one waits.
-    /// By the time its turn comes, a closer hit may have cut it off.
+    /// By the time its turn comes, a closer hit may have cut it off. Boxes are looked at by fours: see bvh_quartets.hpp.
     template <std::derived_from<ray> Ray, class Offer, class Probe = no_probe>
         requires std::constructible_from<volume_ray<Volume>, const Ray&, interval, const Volume&>
     void traverse(const Ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         if (nodes_.empty() || empty(range)) return;
+        if constexpr (std::same_as<Volume, aabb>) return fours_.traverse(r, range, indices_, offer, counter);
         volume_ray<Volume> way(r, range, nodes_[0].volume);
         struct sibling {
             std::uint32_t at;
@@ -125,6 +127,9 @@ public:
     /// How many of them were left out, because their bounds are empty or not finite.
     [[nodiscard]] std::uint32_t left_out() const { return left_out_; }
 
+    /// What it keeps in memory, besides itself.
+    [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(node) + indices_.size() * sizeof(std::uint32_t) + fours_.bytes(); }
+
     /// What the tree is made of: for pictures of it, and for tests.
     [[nodiscard]] std::span<const node> nodes() const { return nodes_; }
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
@@ -133,6 +138,11 @@ private:
     void adopt(std::size_t surfaces, bvh_layout& layout) {
         indices_ = std::move(layout.indices());
         left_out_ = static_cast<std::uint32_t>(surfaces - indices_.size());
+    }
+
+    void adopt_boxes(bvh_layout& layout) {
+        nodes_ = std::move(layout.nodes());
+        fours_ = bvh_quartets(nodes_);
     }
 
     // From the last node to the first: when a parent's turn comes, it is known which stretch of the volumes, in the order of
@@ -149,6 +159,7 @@ private:
     }
 
     std::vector<node> nodes_;
+    bvh_quartets fours_;  // the same once more, where the volumes are boxes
     std::vector<std::uint32_t> indices_;
     std::uint32_t left_out_ = 0;
 };

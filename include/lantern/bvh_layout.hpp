@@ -32,7 +32,7 @@ enum class split {
 
 struct bvh_options {
     split rule = split::surface_area;
-    std::uint32_t leaf_size = 4;   ///< at most so many surfaces in a leaf, unless the depth is used up
+    std::uint32_t leaf_size = 4;   ///< at most so many surfaces in a leaf, unless the depth is used up; `surface_area` makes it smaller where that pays
     std::uint32_t max_depth = 48;  ///< levels below the root, at most 64
 };
 
@@ -84,12 +84,13 @@ private:
         }
         nodes_[at].volume = box;
         const std::uint32_t size = last - first;
-        if (size <= options_.leaf_size || levels == 0) {
+        const auto become_leaf = [&] {
             nodes_[at].first = first;
             nodes_[at].size = size & 0x3fffffffu;
-            return;
-        }
-        const cut c = cut_of(boxes, std::span(indices_).subspan(first, size), centers, levels);
+        };
+        if (levels == 0 || size == 1 || (size <= options_.leaf_size && options_.rule != split::surface_area)) return become_leaf();
+        const cut c = cut_of(boxes, std::span(indices_).subspan(first, size), box, centers, levels);
+        if (c.middle == 0) return become_leaf();
         const auto children = static_cast<std::uint32_t>(nodes_.size());
         nodes_.resize(nodes_.size() + 2);
         nodes_[at].first = children;
@@ -119,16 +120,19 @@ private:
     }
 
     // Reorders the indices so that the lower child's come first. A rule that finds no cut, as where all centres are
-    // equal, or that would use up the levels on crumbs, gives way to the median, which always halves.
-    cut cut_of(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers,
+    // equal, or that would use up the levels on crumbs, gives way to the median, which always halves; but what fits into
+    // a leaf is one then: no cut.
+    cut cut_of(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& box, const aabb& centers,
                std::uint32_t levels) const {
-        const bool needs_halving = static_cast<std::uint32_t>(std::bit_width(indices.size() / options_.leaf_size)) >= levels;
+        const bool fits = indices.size() <= options_.leaf_size;
+        const bool needs_halving = !fits && static_cast<std::uint32_t>(std::bit_width(indices.size() / options_.leaf_size)) >= levels;
         if (options_.rule != split::median && !needs_halving) {
+            const double limit = fits ? surface_area(box) * (double(indices.size()) - pair_cost) : std::numeric_limits<double>::infinity();
             const cut c = options_.rule == split::middle ? middle_cut(boxes, indices, centers)
-                                                         : surface_area_cut(boxes, indices, centers);
+                                                         : surface_area_cut(boxes, indices, centers, limit);
             if (c.middle > 0 && c.middle < indices.size()) return c;
         }
-        return median_cut(boxes, indices, centers);
+        return fits ? cut{0, 0} : median_cut(boxes, indices, centers);
     }
 
     static std::uint32_t longest_axis(const aabb& box) {
@@ -157,6 +161,7 @@ private:
     }
 
     static constexpr std::uint32_t bins = 16;
+    static constexpr double pair_cost = 1;  // of a look at two boxes, in tests of a surface
 
     // The bin of a center; all centers of a degenerate axis share bin 0.
     static std::uint32_t bin_of(const aabb& box, const aabb& centers, int axis) {
@@ -166,9 +171,9 @@ private:
     }
 
     // Of 15 cuts on each axis the one with the least sum, over both children, of area times number of surfaces. None
-    // where there is no area to compare, as of points on a line.
-    static cut surface_area_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
-        double least = std::numeric_limits<double>::infinity();
+    // where there is no area to compare, as of points on a line, and none where the sum is not below `least`.
+    static cut surface_area_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers,
+                                double least) {
         int best_axis = 0;
         std::uint32_t best_bin = bins;
         for (int axis = 0; axis < 3; ++axis) {

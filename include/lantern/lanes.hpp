@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__AVX2__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -40,14 +40,14 @@ using quad_integers = std::int32_t __attribute__((vector_size(16)));  ///< 4
 #endif
 }
 [[gnu::always_inline]] inline void keep_smaller(quad& a, const quad& b) {
-#if defined(__AVX2__)
+#if defined(__SSE2__)
     a = _mm_min_ps(a, b);
 #else
     a = b < a ? b : a;
 #endif
 }
 [[gnu::always_inline]] inline void keep_larger(quad& a, const quad& b) {
-#if defined(__AVX2__)
+#if defined(__SSE2__)
     a = _mm_max_ps(a, b);
 #else
     a = b > a ? b : a;
@@ -90,7 +90,7 @@ using quad_integers = std::int32_t __attribute__((vector_size(16)));  ///< 4
 #endif
 }
 [[nodiscard, gnu::always_inline]] inline std::uint32_t lanes_of(const quad_integers& mask) {
-#if defined(__AVX2__)
+#if defined(__SSE2__)
     return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
 #else
     std::uint32_t bits = 0;

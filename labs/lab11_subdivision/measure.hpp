@@ -65,7 +65,7 @@ size_of_it size_of(const Tree& tree) {
     return {double(tree.nodes.size()), double(tree.entries.size()), double(tree.nodes.size() * sizeof tree.nodes[0]) + 4 * double(tree.entries.size())};
 }
 inline size_of_it size_of(const lantern::bvh<>& tree) {
-    return {double(tree.nodes().size()), double(tree.size()), double(tree.nodes().size_bytes() + tree.indices().size_bytes())};
+    return {double(tree.nodes().size()), double(tree.size()), double(tree.bytes())};
 }
 
 /// The student's structure as an accelerator of the library's: its walk, its mailbox (until that is written: none), our counting. A

@@ -6,6 +6,8 @@
 #include <lantern/interval.hpp>
 #include <lantern/ray.hpp>
 
+#include <glm/common.hpp>
+
 #include "catch.hpp"
 #include "oracle.hpp"
 
@@ -114,6 +116,20 @@ void no_ray_is_lost(Meets meets) {
             const float scale = d.magnitude_between(-44, 38.5);
             const aabb box = random_box(d, 0.9);
             check({scale * box.min, scale * box.max}, {scale * d.in_cube(0.9), d.magnitude_between(-7, 7) * d.in_cube()}, {});
+        }
+    }
+    SECTION("the largest coordinates, whose differences are beyond float") {
+        for (int i = 0; i < count; ++i) {
+            const aabb box = random_box(d, 1);
+            const glm::vec3 o = d.in_cube(1), to = glm::mix(box.min, box.max, glm::vec3(d.between(0, 1), d.between(0, 1), d.between(0, 1))) - o;
+            check({3e38f * box.min, 3e38f * box.max}, {3e38f * o, d.below(2) == 0 ? to : 1e30f * to}, {});
+        }
+    }
+    SECTION("directions of any length") {
+        for (int i = 0; i < count; ++i) {
+            const aabb box = random_box(d, 3);
+            const glm::vec3 o = d.in_cube(5), to = glm::mix(box.min, box.max, glm::vec3(d.between(0, 1), d.below(2), d.between(0, 1))) - o;
+            check(box, {o, d.magnitude_between(-44, 37) * to}, {});
         }
     }
     CHECK(met > count / 40);
