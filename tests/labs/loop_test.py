@@ -20,7 +20,7 @@ import pictures  # noqa: E402
 import ppm_to_png  # noqa: E402
 import process  # noqa: E402
 import progress  # noqa: E402
-from commands import compare, hint, reset, solution, status, watch  # noqa: E402
+from commands import compare, hint, release, reset, solution, status, watch  # noqa: E402
 
 
 class OwnCopy(unittest.TestCase):
@@ -243,6 +243,14 @@ class EveryLab(unittest.TestCase):
                 for text in step:
                     self.assertTrue(text.strip(), lab.folder)
                 self.assertLess(len(step[0]), len(step[2]) + 200, f"{lab.folder}: a nudge that tells all")
+
+    def test_no_hint_is_the_solution_itself(self):
+        """./lab release would refuse the whole course for it."""
+        for lab in labs.all_labs():
+            text = release.squeezed(hints.file_of(lab).read_text(encoding="utf-8"))
+            for region in release.regions(lab.solution_file.read_text(encoding="utf-8")):
+                code = release.squeezed(region)
+                self.assertFalse(len(code) >= 60 and code in text, f"{lab.folder}: a hint that is the answer:\n{region}")
 
 
 if __name__ == "__main__":
