@@ -46,7 +46,7 @@ def mutant_verdict(lab: labs.Lab, program: pathlib.Path, made: labs.Mutant) -> t
 
 def current(lab: labs.Lab) -> list[str]:
     """labs/ holds what the solution's regions generate. In a student's copy it does not, and need not."""
-    made = labs.starter_of(lab.solution_file.read_text(encoding="utf-8"), str(lab.solution_file))
+    made = lab.starter()
     if lab.student_file.exists() and lab.student_file.read_text(encoding="utf-8") == made:
         return []
     if labs.differs_from_commit(lab.student_file):

@@ -46,6 +46,17 @@ class Lab:
     def tests(self) -> pathlib.Path:
         return ROOT / "tests" / "labs" / self.folder
 
+    def starter(self) -> str:
+        """What a student begins with: made out of the solution or, in a course's copy, which has none, as it was committed first."""
+        if self.solution_file.exists():
+            return starter_of(self.solution_file.read_text(encoding="utf-8"), str(self.solution_file))
+        shown = self.student_file.relative_to(ROOT).as_posix()
+        first = git("log", "--diff-filter=A", "--format=%H", "--", shown)
+        text = git("show", f"{first.split()[-1]}:{shown}") if first else None
+        if text is None:
+            raise Problem(f"neither a solution nor the first version of {shown} in git is here to make the starter of")
+        return text
+
     def mutants(self) -> list["Mutant"]:
         return [read_mutant(path) for path in sorted((self.tests / "mutants").glob("*.mutant"))]
 
@@ -85,13 +96,19 @@ def starter_of(solution: str, name: str = "solution") -> str:
     return "\n".join(kept) + "\n"
 
 
+def git(*words: str) -> str | None:
+    """What git answers in this repository; None where it fails, or is not here."""
+    try:
+        done = subprocess.run(["git", *words], cwd=ROOT, capture_output=True, encoding="utf-8", errors="replace", check=False)
+    except OSError:
+        return None
+    return done.stdout if done.returncode == 0 else None
+
+
 def differs_from_commit(path: pathlib.Path) -> bool:
     """Whether somebody has worked on the file since the last commit. Without git: yes, to be on the safe side."""
-    try:
-        status = subprocess.run(["git", "status", "--porcelain", "--", str(path)], cwd=ROOT, capture_output=True, text=True)
-    except OSError:
-        return True
-    return status.returncode != 0 or status.stdout.strip() != ""
+    status = git("status", "--porcelain", "--", str(path))
+    return status is None or status.strip() != ""
 
 
 # ---- Mutants -------------------------------------------------------------------------------------------------------

@@ -46,6 +46,14 @@ def remember(lab: Lab, passed: list[bool]) -> None:
     save(known)
 
 
+def forget(lab: Lab) -> None:
+    """The lab begins anew: no step passes, and no hint was given."""
+    known = load()
+    known.pop(lab.number, None)
+    known["current"] = lab.number
+    save(known)
+
+
 def passed(lab: Lab, known: dict[str, Any]) -> list[bool]:
     """Step by step, as of the last verdict."""
     steps = known.get(lab.number, {}).get("passed", [])
@@ -62,8 +70,8 @@ def begun(lab: Lab) -> bool:
     """Whether the header is no longer the starter."""
     try:
         text = lab.student_file.read_text(encoding="utf-8", errors="replace")
-        return text != labs.starter_of(lab.solution_file.read_text(encoding="utf-8"))
-    except OSError:  # a course's copy has no solutions
+        return text != lab.starter()
+    except (OSError, labs.Problem):
         return labs.differs_from_commit(lab.student_file)
 
 

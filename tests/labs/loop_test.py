@@ -5,6 +5,7 @@ import contextlib
 import io
 import pathlib
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -20,7 +21,7 @@ import pictures  # noqa: E402
 import ppm_to_png  # noqa: E402
 import process  # noqa: E402
 import progress  # noqa: E402
-from commands import compare, hint, release, reset, solution, status, watch  # noqa: E402
+from commands import compare, hint, release, reset, solution, start, status, watch  # noqa: E402
 
 
 class OwnCopy(unittest.TestCase):
@@ -36,7 +37,7 @@ class OwnCopy(unittest.TestCase):
         solution_text = "// BEGIN SOLUTION\nright\n// END SOLUTION\n// STARTER: todo\n"
         (self.root / "solutions/lab00_example/example.hpp").write_text(solution_text, encoding="utf-8")
         (self.root / "labs/lab00_example/example.hpp").write_text("todo\n", encoding="utf-8")
-        patches = [unittest.mock.patch.object(module, "ROOT", self.root) for module in (labs, progress, hints, reset, solution, watch)]
+        patches = [unittest.mock.patch.object(module, "ROOT", self.root) for module in (labs, progress, hints, reset, solution, start, watch)]
         patches.append(unittest.mock.patch.object(progress, "FILE", self.root / "build" / "progress.json"))
         patches.append(unittest.mock.patch.object(labs, "all_labs", lambda: [self.lab]))
         for patch in patches:
@@ -126,14 +127,38 @@ class Reset(OwnCopy):
             self.assertEqual(self.lab.student_file.read_text(encoding="utf-8"), "todo\n")
             self.assertEqual((self.lab.student_file.parent / f"example.hpp.{number}").read_text(encoding="utf-8"), text)
 
+    def test_what_had_been_reached_is_forgotten(self):
+        self.write("mine\n")
+        progress.remember(self.lab, [True, True])
+        self.said(reset, "00")
+        known = progress.load()
+        self.assertEqual(progress.passed(self.lab, known), [False, False])
+        self.assertFalse(progress.changed_since(self.lab, known))
+
     def test_an_empty_starter_stays(self):
         self.assertIn("already", self.said(reset, "00"))
         self.assertFalse((self.lab.student_file.parent / "example.hpp.1").exists())
 
     def test_a_file_that_was_deleted_comes_back(self):
-        self.lab.student_file.unlink()
+        for command in (reset, start):
+            self.lab.student_file.unlink()
+            self.said(command, "00")
+            self.assertEqual(self.lab.student_file.read_text(encoding="utf-8"), "todo\n")
+
+    def test_a_copy_without_solutions_has_it_from_git(self):
+        self.lab.solution_file.unlink()
+        with self.assertRaises(labs.Problem):
+            reset.run(["00"])
+        self.write("as given\n")
+        for words in (["init", "-q"], ["add", "labs"], ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", "given"]):
+            subprocess.run(["git", *words], cwd=self.root, check=True)
+        self.assertIn("already", self.said(reset, "00"))
+        self.write("mine\n")
+        self.assertTrue(progress.begun(self.lab))
+        subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-a", "-m", "mine"], cwd=self.root, check=True)
+        self.assertTrue(progress.begun(self.lab))
         self.said(reset, "00")
-        self.assertEqual(self.lab.student_file.read_text(encoding="utf-8"), "todo\n")
+        self.assertEqual(self.lab.student_file.read_text(encoding="utf-8"), "as given\n")
 
 
 class Solution(OwnCopy):

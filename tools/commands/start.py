@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Begin a lab, or go on with it."""
 
-import labs
 import process
 import progress
 import student
+import whole
 from labs import ROOT
 
 SUMMARY = "begin a lab, or go on with it"
@@ -21,8 +21,8 @@ def run(arguments: list[str]) -> int:
 
     file = lab.student_file
     shown = file.relative_to(ROOT)
-    if not file.exists() and lab.solution_file.exists():
-        file.write_text(labs.starter_of(lab.solution_file.read_text(encoding="utf-8")), encoding="utf-8")
+    if not file.exists():
+        whole.write(file, lab.starter())
         print(f"{shown} was not there: here is the empty one again.")
     print(f"Lab {lab.number}: {lab.title}\n\n  read   labs/{lab.folder}/README.md\n  write  {shown}\n")
     for i, (name, passed) in enumerate(zip(lab.steps, progress.passed(lab, known)), 1):

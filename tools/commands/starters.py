@@ -4,6 +4,7 @@
 import labs
 import process
 import student
+import whole
 
 SUMMARY = "write the labs' starters, generated from the solutions"
 USAGE = "starters [NN...] [--check] [--force]"
@@ -20,7 +21,7 @@ def run(arguments: list[str]) -> int:
     for lab in [student.lab_named(word) for word in wish.labs] or labs.all_labs():
         file = lab.student_file
         shown = file.relative_to(labs.ROOT)
-        made = labs.starter_of(lab.solution_file.read_text(encoding="utf-8"), str(lab.solution_file))
+        made = lab.starter()
         if file.exists() and file.read_text(encoding="utf-8") == made:
             continue
         if wish.check:
@@ -30,6 +31,6 @@ def run(arguments: list[str]) -> int:
             print(f"{shown} has been worked on since the last commit, and stays as it is; --force writes over it")
             kept += 1
         else:
-            file.write_text(made, encoding="utf-8")
+            whole.write(file, made)
             print(f"{shown} written")
     return 1 if kept else 0
