@@ -23,16 +23,25 @@ namespace {
 
 support::gaps gaps;
 
-/// What the student's function gives; or, while it is unfinished, what the other one gives.
-template <class Written, class Instead>
-auto either(Written written, Instead instead) -> decltype(instead(0)) {
-    try {
-        return written();
-    } catch (const lantern::unfinished& gap) {
-        gaps.note(gap);
-        return instead(support::step_number(gap.what()));
+/// One of the student's functions, and what stands in for it while it is unfinished: then it is asked once, not for every pixel.
+class step {
+public:
+    template <class Written, class Instead>
+    auto operator()(Written written, Instead instead) -> decltype(instead(0)) {
+        if (missing_ == 0) {
+            try {
+                return written();
+            } catch (const lantern::unfinished& gap) {
+                gaps.note(gap);
+                missing_ = support::step_number(gap.what());
+            }
+        }
+        return instead(missing_);
     }
-}
+
+private:
+    int missing_ = 0;
+};
 
 glm::vec3 rays_as_colours(glm::vec3 direction) { return 0.5f * direction + 0.5f; }
 
@@ -49,26 +58,27 @@ glm::vec3 evening(glm::vec3 direction) {
 }
 
 std::string picture(glm::uvec2 size, float fov, const std::function<glm::vec3(glm::vec3)>& colour) {
+    step direction, encoding, bytes, file;
     std::vector<glm::vec3> pixels;
     for (unsigned y = 0; y < size.y; ++y)
         for (unsigned x = 0; x < size.x; ++x)
-            pixels.push_back(either([&] { return colour(lab01::direction({x, y}, size, 0.7f)); },
-                                    [&](int step) { return support::test_card((glm::vec2(x, y) + 0.5f) / glm::vec2(size), step); }));
+            pixels.push_back(direction([&] { return colour(lab01::direction({x, y}, size, fov)); },
+                                       [&](int number) { return support::test_card((glm::vec2(x, y) + 0.5f) / glm::vec2(size), number); }));
 
-    const auto encode = [](float linear) {
-        return either([&] { return lab01::encode(linear); }, [&](int) { return linear; });
+    const auto encode = [&](float linear) {
+        return encoding([&] { return lab01::encode(linear); }, [&](int) { return linear; });
     };
-    const auto quantise = [](float encoded) {  // instead: six levels, as on a poster
-        return either([&] { return int(lab01::quantise(encoded)); },
-                      [&](int) { return 51 * int(5.99f * std::clamp(encoded, 0.0f, 1.0f)); });
+    const auto quantise = [&](float encoded) {  // instead: six levels, as on a poster
+        return bytes([&] { return int(lab01::quantise(encoded)); },
+                     [&](int) { return 51 * int(5.99f * std::clamp(encoded, 0.0f, 1.0f)); });
     };
-    return either([&] { return lab01::ppm(size, pixels); },
-                  [&](int) {  // PPM has a form in plain text too, P3
-                      std::string file = "P3\n" + std::to_string(size.x) + ' ' + std::to_string(size.y) + "\n255\n";
-                      for (const glm::vec3& p : pixels)
-                          for (const float channel : {p.r, p.g, p.b}) file += std::to_string(quantise(encode(channel))) + '\n';
-                      return file;
-                  });
+    return file([&] { return lab01::ppm(size, pixels); },
+                [&](int) {  // PPM has a form in plain text too, P3
+                    std::string text = "P3\n" + std::to_string(size.x) + ' ' + std::to_string(size.y) + "\n255\n";
+                    for (const glm::vec3& p : pixels)
+                        for (const float channel : {p.r, p.g, p.b}) text += std::to_string(quantise(encode(channel))) + '\n';
+                    return text;
+                });
 }
 
 void save(const std::filesystem::path& path, const std::string& file) {
