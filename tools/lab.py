@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 """The front door, behind ./lab: finds the command that was asked for and runs it."""
 
+import codecs
+import difflib
 import importlib
 import pathlib
+import re
 import sys
 
 if sys.version_info < (3, 10):
     sys.exit(f"lab: this is Python {sys.version.split()[0]}; 3.10 or newer is needed")
 
 import process  # noqa: E402  (needs the check above)
-from labs import Problem  # noqa: E402
+from labs import ROOT, Problem  # noqa: E402
 
 # In the order of the usage. Each is a module in tools/commands/ with SUMMARY, USAGE and run(arguments) -> exit code.
 COMMANDS = {
@@ -29,14 +32,36 @@ def exists(name: str) -> bool:
     return (pathlib.Path(__file__).parent / "commands" / f"{name}.py").is_file()
 
 
+def offered(name: str) -> bool:
+    """Whether the overview names it: a course's copy lacks some commands, and the solutions that others need."""
+    return exists(name) and (name not in ("compare", "solution") or (ROOT / "solutions").is_dir())
+
+
 def usage() -> str:
     lines = ["usage: ./lab COMMAND [...]"]
-    for title, names in COMMANDS.items():
-        found = [module(name) for name in names if exists(name)]
-        if found:
-            lines += ["", f"{title}:"]
-            lines += [f"  {command.USAGE:<34} {command.SUMMARY}" for command in found]
+    found = {title: [(re.sub(r" \[--.*", "", module(name).USAGE), module(name).SUMMARY) for name in names if offered(name)]
+             for title, names in COMMANDS.items()}
+    widest = max(len(call) for commands in found.values() for call, _ in commands)
+    for title, commands in found.items():
+        if commands:
+            lines += ["", f"{title}:", *(f"  {call:<{widest}}  {summary}" for call, summary in commands)]
     return "\n".join(lines + ["", "./lab COMMAND --help tells more."])
+
+
+def unknown(name: str) -> str:
+    known = [each for names in COMMANDS.values() for each in names if exists(each)]
+    near = difflib.get_close_matches(name, known, 1)
+    return f"lab: unknown command '{name}'" + (f"; did you mean ./lab {near[0]}?" if near else "") + "\n./lab help lists them all."
+
+
+# For a terminal that cannot show our marks: passed and failed must not look the same there.
+PLAIN = str.maketrans({"✓": "+", "✗": "x", "·": ".", "→": ">", "■": "#", "□": ".", "“": '"', "”": '"', "×": "x", "–": "-", "…": "...",
+                       "ξ": "xi", "π": "pi", "√": "sqrt ", "θ": "theta", "²": "^2", "½": "1/2"})
+
+
+def in_plain_characters(error: UnicodeError) -> tuple[str, int]:
+    text = error.object[error.start:error.end]
+    return "".join(c if c.isascii() else "?" for c in text.translate(PLAIN)), error.end
 
 
 def main(words: list[str]) -> int:
@@ -45,7 +70,7 @@ def main(words: list[str]) -> int:
         return 0
     name, *arguments = words or ["status"]
     if not any(name in names for names in COMMANDS.values()) or not exists(name):
-        print(f"lab: unknown command '{name}'\n\n{usage()}", file=sys.stderr)
+        print(unknown(name), file=sys.stderr)
         return 2
     command = module(name)
     try:
@@ -62,6 +87,9 @@ def main(words: list[str]) -> int:
 
 
 if __name__ == "__main__":
+    codecs.register_error("plain", in_plain_characters)
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="plain")
     try:
         status = main(sys.argv[1:])
         sys.stdout.flush()

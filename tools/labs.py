@@ -39,6 +39,10 @@ class Lab:
         return ROOT / "labs" / self.folder / self.header
 
     @property
+    def handout(self) -> pathlib.Path:
+        return ROOT / "labs" / self.folder / "README.md"
+
+    @property
     def solution_file(self) -> pathlib.Path:
         return ROOT / "solutions" / self.folder / self.header
 

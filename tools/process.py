@@ -2,13 +2,14 @@
 """Running other programs: shown before they run, ended as a whole when they must end."""
 
 import argparse
+import math
 import os
 import pathlib
 import shlex
 import signal
 import subprocess
 import sys
-from typing import Mapping, NoReturn, Sequence
+from typing import Callable, Mapping, NoReturn, Sequence
 
 from labs import Problem
 
@@ -22,12 +23,32 @@ class Misuse(Exception):
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        raise Misuse(message)
+        missing = message.removeprefix("the following arguments are required: ")
+        raise Misuse(message if missing == message else f"{missing} is missing")
 
 
-def arguments(usage: str, summary: str) -> argparse.ArgumentParser:
-    """A parser for one command; wrong arguments raise Misuse."""
-    return _Parser(prog="./lab", usage=f"./lab {usage}", description=summary)
+def arguments(usage: str, summary: str, examples: str = "") -> argparse.ArgumentParser:
+    """A parser for one command; wrong arguments raise Misuse. `examples`: lines for the end of its help."""
+    return _Parser(prog="./lab", usage=f"./lab {usage}", description=summary, formatter_class=argparse.RawDescriptionHelpFormatter,
+                   epilog="examples:\n" + "\n".join("  " + line for line in examples.splitlines()) if examples else None)
+
+
+def seconds(text: str) -> float:
+    """An argument's type: a time to wait."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of seconds above 0")
+    return value
+
+
+def count(text: str) -> int:
+    """An argument's type: a number of things, or of one of them."""
+    if not text.isascii() or not text.isdigit():
+        raise argparse.ArgumentTypeError(f"'{text}' is no whole number")
+    return int(text)
 
 
 def show(argv: Sequence[str]) -> None:
@@ -36,8 +57,9 @@ def show(argv: Sequence[str]) -> None:
     print(f"\033[2m{line}\033[0m" if sys.stdout.isatty() else line, flush=True)
 
 
-def shorten(word: str) -> str:
+def shorten(word: str | pathlib.Path) -> str:
     """A path in this checkout, as seen from where the user stands."""
+    word = str(word)
     if word.startswith(str(ROOT)):
         seen = os.path.relpath(word)
         return seen if len(seen) < len(word) else word
@@ -78,6 +100,20 @@ def need(argv: Sequence[str], **options) -> None:
     code = call(argv, **options)
     if code != 0:
         raise Problem(f"this command failed with exit code {code}:\n  {shlex.join(shorten(word) for word in argv)}")
+
+
+def followed(argv: Sequence[str], line: Callable[[str], None]) -> tuple[int, str]:
+    """As capture, but `line` is told each line as it comes."""
+    try:
+        child = subprocess.Popen(argv, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    except OSError as error:
+        return 127, str(error)
+    said = []
+    with child:
+        for text in child.stdout:
+            said.append(text)
+            line(text)
+    return child.returncode, "".join(said)
 
 
 def capture(argv: Sequence[str], text: str | None = None) -> tuple[int, str]:

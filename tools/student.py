@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: MIT
 """Building with a student's header, and what can go wrong before the first test runs, in words for a student."""
 
+import json
 import os
 import pathlib
 import re
+import shlex
+import subprocess
 import sys
+from typing import Callable
 
 import labs
 import machine
 import process
 import project
-from labs import ROOT, Lab, Problem
+import verdict
+from labs import ROOT, Lab
 
 
 def lab_named(word: str) -> Lab:
@@ -27,17 +32,57 @@ class NotYet(Exception):
 
 def built(lab: Lab, kind: str, solution: bool = False) -> pathlib.Path:
     """The lab's program ("") or suite ("_check"), built with the student's header or with ours."""
+    if solution and not lab.solution_file.exists():
+        raise NotYet(no_solution(lab))
     file = lab.solution_file if solution else lab.student_file
-    shown = file.relative_to(ROOT)
+    shown = process.shorten(file)
     if not file.exists():
-        again = "" if solution else f"\n  ./lab starters {lab.number}  writes the empty starter again"
-        raise NotYet(f"{shown} is not there. To get it back:\n  git restore {shown}  brings the last committed version back{again}")
+        raise NotYet(f"{shown} is not there. To get it back:\n  git restore {shown}  brings the last committed version back\n"
+                     f"  ./lab reset {lab.number}  writes the empty starter again")
     tree = set_up()
     target = lab.name + ("_solution" if solution else "") + kind
     good, output = build(tree, target)
     if not good:
         raise NotYet(explain_build_failure(lab, file, output))
     return program(tree, target)
+
+
+def no_solution(lab: Lab) -> str:
+    return f"This copy of Lantern has no solution of lab {lab.number}: your course keeps them."
+
+
+def by_itself(lab: Lab, tree: pathlib.Path) -> Callable[[], str]:
+    """Begins to compile the student's header with nothing before it; call the result for what the compiler has against that. The
+    tests' binding brings headers along, so that a forgotten #include shows only later, in the lab's program or at a grader's."""
+    try:
+        commands = json.loads((tree / "compile_commands.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return lambda: ""
+    bound = next((each["command"] for each in commands if f"/{lab.name}_check_bind.dir/" in each["command"]), None)
+    if bound is None:
+        return lambda: ""
+    words, kept = iter(shlex.split(bound)), []
+    for word in words:
+        if word in ("-include", "-Xclang", "-o", "-c"):  # the precompiled header, by GCC and by Clang; the output; the input
+            next(words)
+        else:
+            kept.append(word)
+    child = subprocess.Popen([*kept, "-w", "-fsyntax-only", "-x", "c++", str(lab.student_file)], stdin=subprocess.DEVNULL,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+
+    def told() -> str:
+        output, _ = child.communicate()
+        if child.returncode == 0:
+            return ""
+        return (f"{process.shorten(lab.student_file)} lacks an #include: the tests bring it along, others do not. By itself the file does not compile:\n"
+                + "\n".join("  " + line for line in first_error(output).splitlines()))
+
+    return told
+
+
+def ended(status: int) -> str:
+    """How a program ended that did not end well."""
+    return f"crashed ({verdict.signal_name(-status)})" if status < 0 else f"ended with exit code {status}"
 
 
 def set_up() -> pathlib.Path:
@@ -58,11 +103,26 @@ def program(tree: pathlib.Path, target: str) -> pathlib.Path:
     return tree / "labs" / "bin" / target
 
 
+def tree_of(built_program: pathlib.Path) -> pathlib.Path:
+    return built_program.parents[2]
+
+
 def build(tree: pathlib.Path, *targets: str) -> tuple[bool, str]:
     """Builds in silence; whether that went well, and what would have been printed."""
-    if not program(tree, targets[0]).exists():
-        print(f"building {targets[0]}; the first time takes a while ...", file=sys.stderr, flush=True)
-    code, output = process.capture(["cmake", "--build", str(tree), "--target", *targets])
+    command = ["cmake", "--build", str(tree), "--target", *targets]
+    if program(tree, targets[0]).exists():
+        code, output = process.capture(command)
+        return code == 0, output
+    print(f"building {targets[0]}; the first time takes a minute or two ...", file=sys.stderr, flush=True)
+
+    def progress(line: str) -> None:
+        step = re.match(r"\[(\d+)/(\d+)\]", line)
+        if step and sys.stderr.isatty():
+            print(f"\r{step[1]} of {step[2]} ", end="", file=sys.stderr, flush=True)
+
+    code, output = process.followed(command, progress)
+    if sys.stderr.isatty():
+        print("\r\033[K", end="", file=sys.stderr, flush=True)
     return code == 0, output
 
 
@@ -79,7 +139,7 @@ def first_error(output: str) -> str:
 
 
 def explain_build_failure(lab: Lab, file: pathlib.Path, output: str) -> str:
-    shown, handout = file.relative_to(ROOT), f"labs/{lab.folder}/README.md"
+    shown, handout = process.shorten(file), process.shorten(lab.handout)
     broken_promise = re.search(r"error: .*(YOUR HEADER LACKS|YOUR FUNCTION HAS)", output)
     if broken_promise:
         # The compiler names the function as name<7>{"encode"} (GCC, new Clangs), or in numbers.

@@ -119,7 +119,9 @@ def explained(test: Test) -> list[str]:
     if test.thrown:
         lines.append(f"instead: {test.thrown}")
     lines += [f"with:    {text}" for note in test.notes for text in note.splitlines()]
-    lines += [f"{word + ':':<8} {test.hint[word]}" for word in ("symptom", "cause", "read") if word in test.hint]
+    # What a crash comes from is another thing than what the test is for.
+    told = ("read",) if test.thrown.startswith("SIG") else ("symptom", "cause", "read")
+    lines += [f"{word + ':':<8} {test.hint[word]}" for word in told if word in test.hint]
     return lines
 
 

@@ -8,6 +8,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import unittest.mock
 import zlib
@@ -21,6 +22,7 @@ import pictures  # noqa: E402
 import ppm_to_png  # noqa: E402
 import process  # noqa: E402
 import progress  # noqa: E402
+import student  # noqa: E402
 from commands import compare, hint, release, reset, solution, start, status, watch  # noqa: E402
 
 
@@ -37,7 +39,7 @@ class OwnCopy(unittest.TestCase):
         solution_text = "// BEGIN SOLUTION\nright\n// END SOLUTION\n// STARTER: todo\n"
         (self.root / "solutions/lab00_example/example.hpp").write_text(solution_text, encoding="utf-8")
         (self.root / "labs/lab00_example/example.hpp").write_text("todo\n", encoding="utf-8")
-        patches = [unittest.mock.patch.object(module, "ROOT", self.root) for module in (labs, progress, hints, reset, solution, start, watch)]
+        patches = [unittest.mock.patch.object(module, "ROOT", self.root) for module in (labs, progress, hints, solution, watch)]
         patches.append(unittest.mock.patch.object(progress, "FILE", self.root / "build" / "progress.json"))
         patches.append(unittest.mock.patch.object(labs, "all_labs", lambda: [self.lab]))
         for patch in patches:
@@ -187,6 +189,40 @@ class Solution(OwnCopy):
     def test_a_copy_without_solutions_says_so(self):
         self.lab.solution_file.unlink()
         self.assertIn("no solution", self.said(solution, "00"))
+
+
+class Drawing(OwnCopy):
+    """A program that draws one picture and then never ends."""
+
+    def setUp(self):
+        super().setUp()
+        program = self.root / "program"
+        program.write_text(f"#!{sys.executable}\nimport pathlib, time\npathlib.Path('out').mkdir()\npathlib.Path('out/a.ppm').write_bytes(b'')\n"
+                           "print('out/a.ppm', flush=True)\npathlib.Path('begun').touch()\ntime.sleep(600)\n", encoding="utf-8")
+        program.chmod(0o755)
+        patch = unittest.mock.patch.object(student, "built", lambda *_: program)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def drawn(self, when_begun) -> str:
+        """What is said; when_begun is called once the picture is there, and its answer is the key that is pressed."""
+        def key(seconds):
+            time.sleep(seconds)
+            return when_begun() if (self.root / "begun").exists() else None
+
+        text = io.StringIO()
+        with contextlib.redirect_stdout(text):
+            self.pressed = watch.draw(self.lab, key)
+        self.assertIn("a.ppm", text.getvalue())
+        self.assertIn("ended before it was done", text.getvalue())
+
+    def test_a_key_ends_it_and_counts(self):
+        self.drawn(lambda: "q")
+        self.assertEqual(self.pressed, "q")
+
+    def test_a_save_ends_it(self):
+        self.drawn(lambda: self.write("mended\n"))
+        self.assertIsNone(self.pressed)
 
 
 def png_of(width: int, height: int, colour: int, rows: list[bytes]) -> bytes:

@@ -1,16 +1,23 @@
 # SPDX-License-Identifier: MIT
 """The tools behind `./lab check`: tools_test.py COMPILER-AND-OPTIONS..."""
 
+import contextlib
+import io
+import json
+import os
 import pathlib
+import shlex
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
+import lab  # noqa: E402
 import labs  # noqa: E402
 import ppm_to_png  # noqa: E402
 import student  # noqa: E402
@@ -99,6 +106,14 @@ class Reports(unittest.TestCase):
         tests = verdict.read_report((report(PASSED) + '<TestCase name="dead">\n  ').encode())
         self.assertEqual([(test.name, test.passed) for test in tests], [("good", True), ("dead", False)])
 
+    def test_a_crash_does_not_get_the_cause_of_another_mistake(self):
+        crash = FAILED.replace("<Expanded>2 == 1</Expanded>", '<FatalErrorCondition filename="s.cpp" line="7">SIGSEGV - Segmentation violation signal</FatalErrorCondition>')
+        said = verdict.explained(verdict.read_report(report(crash).encode())[0])
+        self.assertIn("instead: SIGSEGV - Segmentation violation signal", said)
+        self.assertIn("read:    §1", said)
+        self.assertNotIn("cause:   a sign", said)
+        self.assertIn("cause:   a sign", verdict.explained(verdict.read_report(report(FAILED).encode())[0]))
+
     def test_nothing_is_no_report(self):
         self.assertEqual(verdict.read_report(b""), [])
         self.assertEqual(verdict.read_report(b"All tests passed (12 assertions in 3 test cases)"), [])
@@ -120,8 +135,8 @@ class Steps(unittest.TestCase):
         self.assertEqual([step.passed for step in steps], [True, False])
 
     def test_an_endless_loop_ends(self):
-        first, second = self.judge(f"write({report(PASSED)!r} + '<TestCase name=\"slow\">')\nif selection == '[step1]': time.sleep(60)", 0.7)
-        self.assertIn("did not finish in 0.7 s", first.trouble)
+        first, second = self.judge(f"write({report(PASSED)!r} + '<TestCase name=\"slow\">')\nif selection == '[step1]': time.sleep(60)", 2)
+        self.assertIn("did not finish in 2 s", first.trouble)
         self.assertEqual(first.failures[0].name, "slow")
 
     def test_a_crash_fails_one_test_and_the_others_are_run_again(self):
@@ -203,6 +218,82 @@ class Builds(unittest.TestCase):
         text = self.explanation(("#include <lantern/todo.hpp>", "#include <lantern/todo.hpp>\n#include <lantern/srgb.hpp>"))
         self.assertIn("srgb.hpp", text)
         self.assertIn("may include these headers of the library, and what they include: todo", text)
+
+
+    def alone(self, header: str) -> str:
+        """What is said of a header by itself, when the tests are compiled with <algorithm> before it."""
+        lab = labs.find("01")
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            with unittest.mock.patch.object(labs, "ROOT", root):
+                lab.student_file.parent.mkdir(parents=True)
+                lab.student_file.write_text(header, encoding="utf-8")
+                (root / "first.hpp").write_text("#include <algorithm>\n", encoding="utf-8")
+                command = [*COMPILER, "-include", str(root / "first.hpp"), "-o", "tests/labs/CMakeFiles/lab01_check_bind.dir/bind.cpp.o", "-c", "bind.cpp"]
+                commands = [{"command": "c++ of another target -c other.cpp"}, {"command": shlex.join(command)}]
+                (root / "compile_commands.json").write_text(json.dumps(commands), encoding="utf-8")
+                return student.by_itself(lab, root)()
+
+    def test_a_header_that_lives_on_what_the_tests_include_is_told_so(self):
+        code = "#pragma once\n{}#include <cmath>\ninline int half(int x) {{ return std::clamp(x / 2, 0, 9); }}\n"
+        self.assertEqual(self.alone(code.format("#include <algorithm>\n")), "")
+        self.assertIn("clamp", self.alone(code.format("")))
+        self.assertIn("lacks an #include", self.alone(code.format("")))
+
+    def test_without_a_build_nothing_is_said(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(student.by_itself(LAB, pathlib.Path(folder))(), "")
+            (pathlib.Path(folder) / "compile_commands.json").write_text("[]", encoding="utf-8")
+            self.assertEqual(student.by_itself(LAB, pathlib.Path(folder))(), "")
+
+
+class FrontDoor(unittest.TestCase):
+    """./lab as somebody types it who does not know it."""
+
+    def lab(self, *words: str) -> tuple[int, str, str]:
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            try:
+                status = lab.main(list(words))
+            except SystemExit as end:  # --help
+                status = end.code
+        return status, out.getvalue(), err.getvalue()
+
+    def test_an_unknown_command_is_told_the_nearest(self):
+        status, _, said = self.lab("chekc")
+        self.assertEqual(status, 2)
+        self.assertIn("'chekc'; did you mean ./lab check?", said)
+        self.assertLess(len(said.splitlines()), 4)
+        self.assertNotIn("did you mean", self.lab("xyzzy")[2])
+
+    def test_bad_input_is_named_with_its_rule(self):
+        for words, parts in ((["check", "01", "--seconds", "x"], ("'x'", "seconds above 0")), (["check", "01", "--seconds", "inf"], ("'inf'", "above 0")),
+                             (["check", "01", "--seconds", "0"], ("'0'", "above 0")), (["check"], ("NN is missing",)),
+                             (["check", "77"], ("'77'", "01  a picture")), (["hint", "01", "--step", "two"], ("'two'", "whole number")),
+                             (["hint", "01", "--step", "9"], ("step 9", "1 to 4")), (["watch", "01", "02"], ("02",)), (["list", "x"], ("x",))):
+            status, _, said = self.lab(*words)
+            self.assertEqual(status, 2, words)
+            for part in (*parts, f"usage: ./lab {words[0]}"):
+                self.assertIn(part, said, words)
+            self.assertNotIn("Traceback", said)
+
+    def test_each_command_explains_itself(self):
+        overview = self.lab("help")[1]
+        for name in (name for names in lab.COMMANDS.values() for name in names):
+            self.assertRegex(overview, rf"(?m)^  {name}\b", name)
+            status, said, _ = self.lab(name, "--help")
+            self.assertEqual(status, 0, name)
+            self.assertTrue(said.startswith(f"usage: ./lab {name}"), said)
+        for name in ("start", "watch", "check", "run", "hint", "compare", "solution", "reset"):
+            self.assertIn(f"examples:\n  ./lab {name}", self.lab(name, "--help")[1])
+
+    def test_a_terminal_of_plain_characters_is_served(self):
+        done = subprocess.run([sys.executable, str(ROOT / "tools" / "lab.py"), "status"], capture_output=True, check=False,
+                              env={**os.environ, "PYTHONIOENCODING": "ascii"})
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertIn(b"....", done.stdout)
+        text = "✓ ✗ · → “x” 日"
+        self.assertEqual(lab.in_plain_characters(UnicodeEncodeError("ascii", text, 0, len(text), ""))[0], '+ x . > "x" ?')
 
 
 class Pictures(unittest.TestCase):

@@ -14,18 +14,18 @@ import verdict
 
 SUMMARY = "build and test your answer to a lab, step by step"
 USAGE = "check NN [--solution] [--seconds S] [--json]"
+EXAMPLES = """./lab check 03
+./lab check 03 --seconds 60    on a slow or busy machine"""
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", help="the lab's number, such as 03")
-    parser.add_argument("--solution", action="store_true", help="test our header instead of yours")
-    parser.add_argument("--seconds", type=float, help=f"the limit for each step (default: {verdict.SECONDS_PER_STEP:g}, "
+    parser.add_argument("--solution", action="store_true", help="test our header instead of yours, where your copy has it")
+    parser.add_argument("--seconds", type=process.seconds, help=f"the limit for each step (default: {verdict.SECONDS_PER_STEP:g}, "
                         "or what LANTERN_STEP_SECONDS says)")
     parser.add_argument("--json", action="store_true", help='{"lab", "steps": [{"name", "passed"}]}')
     wish = parser.parse_args(arguments)
-    if wish.seconds is not None and not wish.seconds > 0:
-        raise process.Misuse("--seconds must be more than 0")
 
     lab = student.lab_named(wish.lab)
     try:
@@ -36,7 +36,9 @@ def run(arguments: list[str]) -> int:
         print(problem, file=sys.stderr)
         return 1
 
+    complaint = student.by_itself(lab, student.tree_of(program)) if not wish.solution else str
     steps = verdict.judge(program, lab, wish.seconds)
+    alone = complaint()
     if not wish.solution:
         progress.remember(lab, [step.passed for step in steps])
     passed = all(step.passed for step in steps)
@@ -44,6 +46,8 @@ def run(arguments: list[str]) -> int:
         print(json.dumps({"lab": lab.number, "steps": [as_json(step) for step in steps]}))
     else:
         tell(lab, steps, wish.solution)
+        if alone:
+            print(f"\n{alone}")
         left = macros.left_behind(lab.student_file.read_text(encoding="utf-8", errors="replace")) if not wish.solution else []
         if left:
             print(f"\nYour header leaves macros behind ({', '.join(left[:5])}), which change every file that includes it. Courses that grade refuse it:\n"
@@ -81,7 +85,7 @@ def tell(lab: labs.Lab, steps: list[verdict.Step], solution: bool) -> None:
         print(color.green("All steps pass.") + f" The picture: ./lab run {lab.number}" + (" --solution" if solution else ""))
     else:
         print(f"Next: step {left[0]}, {steps[left[0] - 1].name}. "
-              f"The handout is labs/{lab.folder}/README.md, your file labs/{lab.folder}/{lab.header}")
+              f"The handout is {process.shorten(lab.handout)}, your file {process.shorten(lab.student_file)}")
 
 
 def summary(step: verdict.Step) -> str:
@@ -96,7 +100,7 @@ def details(step: verdict.Step) -> list[str]:
     if not failures:
         return []
     test, *others = failures
-    lines = [f"“{test.name}”" + (f" does not hold ({test.where})" if test.where else "")]
+    lines = [f"“{test.name}”" + (f" does not hold ({test.where})" if test.where else " was being tried" if not test.finished else "")]
     lines += ["  " + line for line in verdict.explained(test)]
     lines += [f"“{other.name}” fails too" for other in others[:6]]
     if len(others) > 6:

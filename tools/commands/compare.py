@@ -15,6 +15,7 @@ from labs import ROOT, Problem
 
 SUMMARY = "your pictures and ours under a slider: out/compare/labNN.html"
 USAGE = "compare NN"
+EXAMPLES = "./lab compare 03"
 
 PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Lab {number}: yours and ours</title>
 <meta name="viewport" content="width=device-width, initial-scale=1"><style>
@@ -39,11 +40,11 @@ for (const slider of document.querySelectorAll('input[type=range]'))
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
     lab = student.lab_named(parser.parse_args(arguments).lab)
     if not lab.solution_file.exists():
-        raise Problem(f"this copy of Lantern has no solution of lab {lab.number} to compare with; the pictures in its handout are ours")
+        raise Problem(f"{student.no_solution(lab)} The pictures in {process.shorten(lab.handout)} are ours")
     folder = ROOT / "out" / "compare" / lab.name
     made = {}
     for who, solution in (("ours", True), ("yours", False)):

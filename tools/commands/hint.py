@@ -11,12 +11,14 @@ import student
 
 SUMMARY = "a hint for your next step: a nudge first, then the idea, then nearly the code"
 USAGE = "hint [NN] [--step K] [--again]"
+EXAMPLES = """./lab hint                   one more, for the step in hand
+./lab hint 03 --step 2 --again    those that you had for step 2 of lab 03"""
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", nargs="?", help="the lab's number (default: the one in hand)")
-    parser.add_argument("--step", type=int, help="the step (default: the first that does not pass yet)")
+    parser.add_argument("--step", metavar="K", type=process.count, help="the step (default: the first that does not pass yet)")
     parser.add_argument("--again", action="store_true", help="the hints that you had for it already, and no new one")
     wish = parser.parse_args(arguments)
     lab = in_hand(wish.lab)
@@ -46,7 +48,7 @@ def told(lab: labs.Lab, step: int, again: bool = False) -> str:
     """The next hint for a step, with those before it."""
     texts = hints.of(lab)
     if not texts:
-        return f"Lab {lab.number} has no hints of its own. The handout: labs/{lab.folder}/README.md"
+        return f"Lab {lab.number} has no hints of its own. The handout: {process.shorten(lab.handout)}"
     levels = len(hints.LEVELS)
     if again:
         level = progress.load().get(lab.number, {}).get("hints", {}).get(str(step), 0)
@@ -61,5 +63,5 @@ def told(lab: labs.Lab, step: int, again: bool = False) -> str:
             # Code keeps its lines; prose is folded.
             lines += [f"   {paragraph}"] if paragraph.startswith("    ") or not paragraph else textwrap.wrap(paragraph, 96, initial_indent="   ", subsequent_indent="   ")
         lines.append("")
-    lines.append(f"That was all. The handout: labs/{lab.folder}/README.md" if level == levels else f"./lab hint {lab.number}  once more says more.")
+    lines.append(f"That was all. The handout: {process.shorten(lab.handout)}" if level == levels else f"./lab hint {lab.number}  once more says more.")
     return "\n".join(lines)

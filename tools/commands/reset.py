@@ -5,28 +5,29 @@ import process
 import progress
 import student
 import whole
-from labs import ROOT
 
 SUMMARY = "begin a lab anew; your old file is kept"
 USAGE = "reset NN"
+EXAMPLES = "./lab reset 03"
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
     lab = student.lab_named(parser.parse_args(arguments).lab)
     file = lab.student_file
+    shown = process.shorten(file)
     starter = lab.starter()
     progress.forget(lab)
     if file.exists() and file.read_text(encoding="utf-8", errors="replace") == starter:
-        print(f"{file.relative_to(ROOT)} is the empty starter already.")
+        print(f"{shown} is the empty starter already.")
         return 0
     if file.exists():
         kept = free_name(file)
         file.rename(kept)
-        print(f"Your file is now {kept.relative_to(ROOT)}; to have it back: mv {kept.relative_to(ROOT)} {file.relative_to(ROOT)}")
+        print(f"Your file is kept; to have it back: mv {process.shorten(kept)} {shown}")
     whole.write(file, starter)
-    print(f"{file.relative_to(ROOT)} is the empty starter again.")
+    print(f"{shown} is the empty starter again.")
     return 0
 
 

@@ -11,12 +11,13 @@ from process import ROOT
 
 SUMMARY = "build and run a lab's program; the pictures go to out/"
 USAGE = "run NN [--solution]"
+EXAMPLES = "./lab run 03"
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", help="the lab's number, such as 03")
-    parser.add_argument("--solution", action="store_true", help="with our header instead of yours")
+    parser.add_argument("--solution", action="store_true", help="with our header instead of yours, where your copy has it")
     wish = parser.parse_args(arguments)
 
     lab = student.lab_named(wish.lab)
@@ -30,17 +31,17 @@ def run(arguments: list[str]) -> int:
     program = subprocess.Popen([str(path), "out"], cwd=ROOT, stdin=subprocess.DEVNULL,
                                stdout=subprocess.PIPE, text=True, errors="replace")
     for line in program.stdout:
-        print(line, end="", flush=True)
         picture = ROOT / line.strip()
-        if picture.suffix == ".ppm" and picture.is_file():
+        is_picture = picture.suffix in (".ppm", ".png") and picture.is_file()
+        print(process.shorten(picture) + "\n" if is_picture else line, end="", flush=True)
+        if is_picture and picture.suffix == ".ppm":
             converted = ppm_to_png.convert(picture)
             if converted:
-                print(f"{converted.relative_to(ROOT)} (the same)")
+                print(f"{process.shorten(converted)} (the same)")
             else:
                 print(f"  ... which is no valid PPM file: ./lab check {lab.number} says more")
     status = program.wait()
     if status != 0:
-        ended = f"crashed (signal {-status})" if status < 0 else f"ended with exit code {status}"
-        print(f"The program {ended}. ./lab check {lab.number} looks at each step by itself.", file=sys.stderr)
+        print(f"The program {student.ended(status)}. ./lab check {lab.number} looks at each step by itself.", file=sys.stderr)
         return 1
     return 0

@@ -14,18 +14,20 @@ from labs import ROOT
 
 SUMMARY = "our answer beside yours, once yours passes (or where the course allows it)"
 USAGE = "solution NN [--whole]"
+EXAMPLES = """./lab solution 03            what differs from yours
+./lab solution 03 --whole    our file as it is"""
 
 RULES = ("after passing", "always", "never")
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
     parser.add_argument("--whole", action="store_true", help="our file as it is, instead of the differences from yours")
     wish = parser.parse_args(arguments)
     lab = student.lab_named(wish.lab)
     if not lab.solution_file.exists():
-        print(f"This copy of Lantern has no solution of lab {lab.number}: your course keeps them.")
+        print(student.no_solution(lab))
         return 1
     allowed = rule()
     known = progress.load()

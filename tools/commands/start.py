@@ -5,14 +5,14 @@ import process
 import progress
 import student
 import whole
-from labs import ROOT
 
 SUMMARY = "begin a lab, or go on with it"
 USAGE = "start NN"
+EXAMPLES = "./lab start 03"
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
     parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
     lab = student.lab_named(parser.parse_args(arguments).lab)
     known = progress.load()
@@ -20,11 +20,11 @@ def run(arguments: list[str]) -> int:
     progress.save(known)
 
     file = lab.student_file
-    shown = file.relative_to(ROOT)
+    shown = process.shorten(file)
     if not file.exists():
         whole.write(file, lab.starter())
         print(f"{shown} was not there: here is the empty one again.")
-    print(f"Lab {lab.number}: {lab.title}\n\n  read   labs/{lab.folder}/README.md\n  write  {shown}\n")
+    print(f"Lab {lab.number}: {lab.title}\n\n  read   {process.shorten(lab.handout)}\n  write  {shown}\n")
     for i, (name, passed) in enumerate(zip(lab.steps, progress.passed(lab, known)), 1):
         print(f"  {'✓' if passed else '·'} step {i}  {name}")
     print(f"\n./lab watch {lab.number}   tells you after every save how far you are\n./lab run {lab.number}     draws the picture, as far as it goes")

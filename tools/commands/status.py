@@ -36,12 +36,12 @@ def run(arguments: list[str]) -> int:
     print(color.bold("Lantern") + f"  [{color.green('#' * filled)}{'.' * (width - filled)}]  {done} of {total} steps\n")
     print("\n".join(lines) + "\n")
     if here is None:
-        print(color.green("All labs are done.") + " ./lab run 15 draws your own scene.")
+        print(color.green("All labs are done."))
         return 0
     steps = progress.passed(here, known)
     step = steps.index(False)
     print(f"Next: lab {here.number}, step {step + 1}: {here.steps[step]}")
-    print(f"  read   labs/{here.folder}/README.md\n  write  labs/{here.folder}/{here.header}")
+    print(f"  read   {process.shorten(here.handout)}\n  write  {process.shorten(here.student_file)}")
     print(f"  then   ./lab watch {here.number}   tells you after every save how far you are\n"
           f"         ./lab hint {here.number}    when you are stuck\n         ./lab help       everything else")
     return 0
