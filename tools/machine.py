@@ -180,7 +180,7 @@ def look(*levels: str) -> list[Finding]:
                     finding.remark = f"{text} is too old: {'.'.join(map(str, MINIMUM[need]))} is needed"
         elif need == "bubblewrap":
             if shutil.which("bwrap"):
-                finding.found = process.capture(["bwrap", "--version"])[1].strip()
+                finding.found = process.capture(["bwrap", "--version"])[1].strip().removeprefix("bubblewrap ")
         elif need == "clang":
             path = clang()
             if path:

@@ -95,10 +95,7 @@ def unfiltered(kind: int, row: bytearray, above: bytearray, step: int) -> bytear
 
 
 def png(picture: Picture) -> bytes:
-    rows = b"".join(b"\0" + picture.pixels[3 * picture.width * y:3 * picture.width * (y + 1)] for y in range(picture.height))
-    header = struct.pack(">IIBBBBB", picture.width, picture.height, 8, 2, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + ppm_to_png.chunk(b"IHDR", header) + ppm_to_png.chunk(b"IDAT", zlib.compress(rows, 6)) +
-            ppm_to_png.chunk(b"IEND", b""))
+    return ppm_to_png.encoded(picture.width, picture.height, picture.pixels)
 
 
 def signed_difference(mine: Picture, reference: Picture) -> tuple[Picture, int, int]:

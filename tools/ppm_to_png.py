@@ -14,11 +14,16 @@ def convert(path: pathlib.Path) -> pathlib.Path | None:
         width, height, pixels = read(path.read_bytes())
     except (ValueError, IndexError):
         return None
+    out = path.with_suffix(".png")
+    out.write_bytes(encoded(width, height, pixels))
+    return out
+
+
+def encoded(width: int, height: int, pixels: bytes) -> bytes:
+    """As PNG: red, green, blue of each pixel, without filters."""
     rows = b"".join(b"\0" + pixels[3 * width * y:3 * width * (y + 1)] for y in range(height))
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    out = path.with_suffix(".png")
-    out.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b""))
-    return out
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b"")
 
 
 def read(data: bytes) -> tuple[int, int, bytes]:

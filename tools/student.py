@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Building with a student's header, and what can go wrong before the first test runs, in words for a student."""
 
+import argparse
 import json
 import os
 import pathlib
@@ -16,6 +17,12 @@ import process
 import project
 import verdict
 from labs import ROOT, Lab
+
+
+def takes_a_lab(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
+    """The argument NN; parsed, `lab` is the Lab, or None where it may be left out and was."""
+    parser.add_argument("lab", metavar="NN", type=lab_named, nargs="?" if optional else None,
+                        help="the lab's number, such as 03" + (" (default: the one in hand)" if optional else ""))
 
 
 def lab_named(word: str) -> Lab:

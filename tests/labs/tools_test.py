@@ -19,6 +19,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 
 import lab  # noqa: E402
 import labs  # noqa: E402
+import machine  # noqa: E402
 import ppm_to_png  # noqa: E402
 import student  # noqa: E402
 import verdict  # noqa: E402
@@ -237,8 +238,9 @@ class Builds(unittest.TestCase):
     def test_a_header_that_lives_on_what_the_tests_include_is_told_so(self):
         code = "#pragma once\n{}#include <cmath>\ninline int half(int x) {{ return std::clamp(x / 2, 0, 9); }}\n"
         self.assertEqual(self.alone(code.format("#include <algorithm>\n")), "")
-        self.assertIn("clamp", self.alone(code.format("")))
-        self.assertIn("lacks an #include", self.alone(code.format("")))
+        said = self.alone(code.format(""))
+        self.assertIn("clamp", said)
+        self.assertIn("lacks an #include", said)
 
     def test_without_a_build_nothing_is_said(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -286,6 +288,27 @@ class FrontDoor(unittest.TestCase):
             self.assertTrue(said.startswith(f"usage: ./lab {name}"), said)
         for name in ("start", "watch", "check", "run", "hint", "compare", "solution", "reset"):
             self.assertIn(f"examples:\n  ./lab {name}", self.lab(name, "--help")[1])
+
+    def test_the_doctor_says_what_is_missing_and_what_for(self):
+        def seen(*missing: str) -> tuple[int, str, str]:
+            with unittest.mock.patch.object(machine, "look", lambda *levels: [
+                    machine.Finding(need, "" if need in missing else "1.0") for need in dict.fromkeys(need for level in levels for need in machine.wanted(level))]), \
+                    unittest.mock.patch.object(machine, "manager", lambda: machine.Manager("brew", ["brew", "install"])):
+                return self.lab("doctor")
+
+        status, said, _ = seen()
+        self.assertEqual(status, 0)
+        self.assertIn("All is here.", said)
+        self.assertRegex(said, r"matplotlib 1\.0, for .*\./lab bench trace, \./lab report")
+        for need in machine.PACKAGES["apt"]:
+            self.assertRegex(said, rf"(?m)^{need}\b", need)
+        status, said, _ = seen("cmake", "npm")
+        self.assertEqual(status, 1)
+        self.assertRegex(said, r"(?m)^cmake +missing$")
+        self.assertIn("  brew install cmake node\n", said)
+        status, said, _ = seen("stb")  # which CMake fetches
+        self.assertEqual(status, 0)
+        self.assertIn("stb is in no package that I know of here; CMake will fetch its sources", said)
 
     def test_a_terminal_of_plain_characters_is_served(self):
         done = subprocess.run([sys.executable, str(ROOT / "tools" / "lab.py"), "status"], capture_output=True, check=False,

@@ -20,14 +20,14 @@ EXAMPLES = """./lab check 03
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 03")
+    student.takes_a_lab(parser)
     parser.add_argument("--solution", action="store_true", help="test our header instead of yours, where your copy has it")
     parser.add_argument("--seconds", type=process.seconds, help=f"the limit for each step (default: {verdict.SECONDS_PER_STEP:g}, "
                         "or what LANTERN_STEP_SECONDS says)")
     parser.add_argument("--json", action="store_true", help='{"lab", "steps": [{"name", "passed"}]}')
     wish = parser.parse_args(arguments)
 
-    lab = student.lab_named(wish.lab)
+    lab = wish.lab
     try:
         program = student.built(lab, "_check", wish.solution)
     except student.NotYet as problem:

@@ -41,8 +41,8 @@ for (const slider of document.querySelectorAll('input[type=range]'))
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
-    lab = student.lab_named(parser.parse_args(arguments).lab)
+    student.takes_a_lab(parser)
+    lab = parser.parse_args(arguments).lab
     if not lab.solution_file.exists():
         raise Problem(f"{student.no_solution(lab)} The pictures in {process.shorten(lab.handout)} are ours")
     folder = ROOT / "out" / "compare" / lab.name

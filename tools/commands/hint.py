@@ -17,11 +17,11 @@ EXAMPLES = """./lab hint                   one more, for the step in hand
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", nargs="?", help="the lab's number (default: the one in hand)")
+    student.takes_a_lab(parser, optional=True)
     parser.add_argument("--step", metavar="K", type=process.count, help="the step (default: the first that does not pass yet)")
     parser.add_argument("--again", action="store_true", help="the hints that you had for it already, and no new one")
     wish = parser.parse_args(arguments)
-    lab = in_hand(wish.lab)
+    lab = wish.lab or in_hand()
     if wish.step is not None and not 1 <= wish.step <= len(lab.steps):
         raise process.Misuse(f"lab {lab.number} has the steps 1 to {len(lab.steps)}, and no step {wish.step}")
     known = progress.load()
@@ -34,10 +34,7 @@ def run(arguments: list[str]) -> int:
     return 0
 
 
-def in_hand(word: str | None) -> labs.Lab:
-    """The lab that is named, or else the one in hand."""
-    if word is not None:
-        return student.lab_named(word)
+def in_hand() -> labs.Lab:
     lab = progress.current(progress.load())
     if lab is None:
         raise process.Misuse("every lab is done: say which one you mean")

@@ -11,15 +11,16 @@ import student
 
 SUMMARY = "try the labs' tests on wrong answers"
 USAGE = "mutants [NN...] [--json]"
+EXAMPLES = """./lab mutants 03"""
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
-    parser.add_argument("labs", nargs="*", metavar="NN", help="labs' numbers (default: all)")
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
+    parser.add_argument("labs", nargs="*", metavar="NN", type=student.lab_named, help="labs' numbers (default: all)")
     parser.add_argument("--json", action="store_true", help='{"mutants": [{"lab", "name", "expected", "failed", "ok"}]}')
     wish = parser.parse_args(arguments)
 
-    chosen = [student.lab_named(word) for word in wish.labs] or labs.all_labs()
+    chosen = wish.labs or labs.all_labs()
     tree = student.set_up()
     answers = []
     for lab in chosen:

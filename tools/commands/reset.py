@@ -13,8 +13,8 @@ EXAMPLES = "./lab reset 03"
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
-    lab = student.lab_named(parser.parse_args(arguments).lab)
+    student.takes_a_lab(parser)
+    lab = parser.parse_args(arguments).lab
     file = lab.student_file
     shown = process.shorten(file)
     starter = lab.starter()

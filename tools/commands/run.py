@@ -16,11 +16,11 @@ EXAMPLES = "./lab run 03"
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 03")
+    student.takes_a_lab(parser)
     parser.add_argument("--solution", action="store_true", help="with our header instead of yours, where your copy has it")
     wish = parser.parse_args(arguments)
 
-    lab = student.lab_named(wish.lab)
+    lab = wish.lab
     try:
         path = student.built(lab, "", wish.solution)
     except student.NotYet as problem:

@@ -22,10 +22,10 @@ RULES = ("after passing", "always", "never")
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
+    student.takes_a_lab(parser)
     parser.add_argument("--whole", action="store_true", help="our file as it is, instead of the differences from yours")
     wish = parser.parse_args(arguments)
-    lab = student.lab_named(wish.lab)
+    lab = wish.lab
     if not lab.solution_file.exists():
         print(student.no_solution(lab))
         return 1

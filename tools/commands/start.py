@@ -13,8 +13,8 @@ EXAMPLES = "./lab start 03"
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
-    lab = student.lab_named(parser.parse_args(arguments).lab)
+    student.takes_a_lab(parser)
+    lab = parser.parse_args(arguments).lab
     known = progress.load()
     known["current"] = lab.number
     progress.save(known)

@@ -8,17 +8,19 @@ import whole
 
 SUMMARY = "write the labs' starters, generated from the solutions"
 USAGE = "starters [NN...] [--check] [--force]"
+EXAMPLES = """./lab starters           all that nobody has worked on
+./lab starters --check   say which are not current"""
 
 
 def run(arguments: list[str]) -> int:
-    parser = process.arguments(USAGE, SUMMARY)
-    parser.add_argument("labs", nargs="*", metavar="NN", help="labs' numbers (default: all)")
+    parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
+    parser.add_argument("labs", nargs="*", metavar="NN", type=student.lab_named, help="labs' numbers (default: all)")
     parser.add_argument("--check", action="store_true", help="write nothing; say which are not what the solutions generate")
     parser.add_argument("--force", action="store_true", help="write over files with uncommitted changes, too")
     wish = parser.parse_args(arguments)
 
     kept = 0
-    for lab in [student.lab_named(word) for word in wish.labs] or labs.all_labs():
+    for lab in wish.labs or labs.all_labs():
         file = lab.student_file
         shown = file.relative_to(labs.ROOT)
         made = lab.starter()

@@ -29,10 +29,10 @@ KEYS = "h hint   n next lab   l list   p picture   r run again   q quit"
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY, EXAMPLES)
-    parser.add_argument("lab", metavar="NN", nargs="?", help="the lab's number (default: the one in hand)")
+    student.takes_a_lab(parser, optional=True)
     parser.add_argument("--once", action="store_true", help="one verdict, and the end")
     wish = parser.parse_args(arguments)
-    lab = hint.in_hand(wish.lab)
+    lab = wish.lab or hint.in_hand()
     student.set_up()  # whatever it must install or configure, once, before the screen is ours
     if wish.once:
         show(lab, None)
