@@ -192,7 +192,7 @@ inline lantern::image ward() {
     constexpr unsigned gap = 6, number = 34;
     constexpr std::uint32_t shown = 22;
     lantern::image page({number + 5 * (cell.x + gap), 6 * (cell.y + gap)}, paper);
-    std::string table = "patient  samples      RMSE  mean error       z\n";
+    std::string table = "patient  samples      RMSE  mean error          z\n";
     for (unsigned k = 0; k < 6; ++k) {
         const patients::fault f = patients::patient[k];
         const unsigned top = k * (cell.y + gap);
@@ -212,7 +212,7 @@ inline lantern::image ward() {
             plot.dot(n, std::abs(mean), grey, 1);
             plot.dot(n, error, red);
             char line[80];
-            std::snprintf(line, sizeof line, "%7u%9u%10.5f%+12.5f%8.4g\n", k + 1, n, error, mean, z);
+            std::snprintf(line, sizeof line, "%7u%9u%10.5f%+12.5f%11.4g\n", k + 1, n, error, mean, z);
             table += line;
             all.push_back(std::move(estimates));
         }

@@ -373,10 +373,17 @@ TEST_CASE("spheres behind the origin, beyond the range, around the origin", "[st
     CHECK(met(s, r, {0, 2.01f}));
     CHECK_FALSE(met(s, r, {3.01f, inf}));
     CHECK(met(s, r, {2.4f, 2.6f}));  // all of it inside
-    CHECK_FALSE(met(s, r, {2.6f, 2.4f}));
     CHECK(met(s, {{0, 0, 10}, {1, 0, 0}}, {}));
     CHECK(met(s, {{0, 0, 11.9f}, {0, 0, 1}}, {}));
     CHECK_FALSE(met(s, {{0, 0, 12.1f}, {0, 0, 1}}, {}));
+}
+
+TEST_CASE("an empty range meets no sphere", "[step4]") {
+    INFO(hint("rays look at spheres beyond the point where they were stopped", "where the range ends before it begins there is no t to clamp: ask that first",
+              "§4 The range"));
+    const ball s{{0, 0, 10}, 2};
+    const ray r{{0, 0, 0}, {0, 0, 4}};
+    CHECK_FALSE(met(s, r, {2.6f, 2.4f}));
 }
 
 TEST_CASE("an empty sphere is never met, a single point is", "[step4]") {
