@@ -60,7 +60,7 @@ def main() -> int:
     check = {"solution": solution, "starter": starter, "mutant": mutant, "current": current}[action]
     lab = labs.find(folder)
     try:
-        wrong = check(lab, *(pathlib.Path(word) if i == 0 else word for i, word in enumerate(rest)))
+        wrong = check(lab, *(pathlib.Path(word).resolve() if i == 0 else word for i, word in enumerate(rest)))
     except labs.Problem as problem:
         wrong = [str(problem)]
     print("\n".join(wrong) or f"{lab.name} {action}: as it should be")

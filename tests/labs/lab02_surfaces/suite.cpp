@@ -104,7 +104,7 @@ TEST_CASE("a solution outside the range does not count", "[step1]") {
 TEST_CASE("the world may be as small as a grain of sand or as large as a country", "[step1]") {
     INFO(hint("small things are missing", "a fixed number such as 0.001 or 1e-8 does not know how large the scene is", "§1 The range"));
     const float scale = GENERATE(1e-5f, 1.0f, 1e5f);
-    CAPTURE(scale);
+    INFO("scale := " << scale);
     const auto h = intersect_sphere({0, 0, 0}, scale, {{0, 0, 5 * scale}, {0, 0, -1}}, {});
     REQUIRE(h);
     CHECK(h->t == Approx(4 * scale).epsilon(1e-5));
@@ -237,7 +237,7 @@ TEST_CASE("a small triangle is hit like a large one", "[step3]") {
     INFO(hint("fine meshes have holes, or vanish", "the determinant is an area: \"smaller than 1e-8\" says nothing but that the triangle is small",
               "§3 The determinant"));
     const float size = GENERATE(1e-6f, 1e-3f, 1e3f, 1e6f);
-    CAPTURE(size);
+    INFO("size := " << size);
     const auto h = intersect_triangle({0, 0, 0}, {size, 0, 0}, {0, size, 0}, {{size / 4, size / 4, size}, {0, 0, -1}}, {});
     REQUIRE(h);
     CHECK(h->t == Approx(size).epsilon(1e-5));

@@ -159,7 +159,8 @@ TEST_CASE("very short and very long r give a basis too", "[step1]") {
     for (const float length : {1e-25f, 1e-10f, 1e10f, 1e25f}) {
         const glm::vec3 r = random.direction();
         const glm::mat3 b = basis(length * r);
-        CAPTURE(length, r, b[0], b[1], b[2]);
+        INFO("length := " << length);  // CAPTURE would show 1e-25 as 0
+        CAPTURE(r, b[0], b[1], b[2]);
         CHECK(flaw(b) < rounding);
         CHECK(apart(b[2], r) < rounding);
     }

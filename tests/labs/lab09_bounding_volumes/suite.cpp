@@ -249,7 +249,7 @@ TEST_CASE("what a surface hits at the very end of the range is not lost", "[step
 TEST_CASE("the world may be as small as an atom or as large as a galaxy, the direction of any length", "[step2]") {
     INFO(hint("small things are missing", "a fixed number such as 1e-6 does not know how large the scene is", "§2 Touching"));
     const auto [scene, length] = GENERATE(std::pair(0x1p-60f, 1.0f), std::pair(0x1p40f, 1.0f), std::pair(1.0f, 0x1p-50f), std::pair(0x1p-30f, 0x1p30f));
-    CAPTURE(scene, length);
+    INFO("scene := " << scene << ", length := " << length);
     const mistakes m = mistakes_in(11, 4000, any_box, scene, length);
     CAPTURE(m.shown);
     CHECK(m.lost == 0);
@@ -431,7 +431,7 @@ TEST_CASE("a sphere far away is met where it is", "[step4]") {
 TEST_CASE("spheres as small as an atom or as large as a galaxy, directions of any length", "[step4]") {
     INFO(hint("small things are missing", "a fixed number such as 1e-6 does not know how large the scene is; divide by d·d", "§4 The nearest point"));
     const auto [scene, length] = GENERATE(std::pair(0x1p-60f, 1.0f), std::pair(0x1p40f, 1.0f), std::pair(1.0f, 0x1p-50f), std::pair(0x1p-30f, 0x1p30f));
-    CAPTURE(scene, length);
+    INFO("scene := " << scene << ", length := " << length);
     const mistakes m = mistakes_in(23, 4000, any_sphere, scene, length);
     CAPTURE(m.shown);
     CHECK(m.lost == 0);
@@ -696,7 +696,7 @@ TEST_CASE("an empty oriented box is never met", "[step6]") {
 TEST_CASE("oriented boxes as small as an atom or as large as a galaxy, directions of any length", "[step6]") {
     INFO(hint("small things are missing", "room for rounding has to grow and shrink with the scene", "§6 Rounding"));
     const auto [scene, length] = GENERATE(std::pair(0x1p-60f, 1.0f), std::pair(0x1p40f, 1.0f), std::pair(1.0f, 0x1p-50f), std::pair(0x1p-30f, 0x1p30f));
-    CAPTURE(scene, length);
+    INFO("scene := " << scene << ", length := " << length);
     const mistakes m = mistakes_in(35, 4000, any_tilted, scene, length);
     CAPTURE(m.shown);
     CHECK(m.lost == 0);

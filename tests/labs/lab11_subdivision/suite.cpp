@@ -315,7 +315,7 @@ TEST_CASE("scenes may be as small as an atom or as large as the sky", "[step1]")
     INFO(hint("large scenes get one cell, small ones too many",
               "the product of three extents is no float: compute in double", "§1 The side of a cell"));
     for (const float scale : {1e-15f, 1.0f, 1e15f}) {
-        CAPTURE(scale);
+        INFO("scale := " << scale);
         CHECK(resolution({glm::vec3(0), scale * glm::vec3(2.05f, 1.05f, 3.05f)}, 750, 8) == glm::ivec3(19, 10, 29));
     }
 }
