@@ -17,7 +17,7 @@ from labs import ROOT, Problem  # noqa: E402
 # In the order of the usage. Each is a module in tools/commands/ with SUMMARY, USAGE and run(arguments) -> exit code.
 COMMANDS = {
     "Start here": ["demo", "test"],
-    "The labs": ["status", "start", "watch", "check", "run", "hint", "compare", "solution", "reset", "list"],
+    "The labs": ["status", "start", "watch", "check", "run", "hint", "compare", "explain", "heat", "solution", "reset", "list"],
     "For instructors": ["grade", "pack", "release", "new"],
     "The machine": ["doctor", "setup"],
     "For those who change Lantern": ["starters", "mutants", "bench", "report", "stress"],

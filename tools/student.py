@@ -160,7 +160,7 @@ def explain_build_failure(lab: Lab, file: pathlib.Path, output: str) -> str:
 
     error = first_error(output)
     failed = re.search(r"^FAILED: (\S+)", output, re.MULTILINE)
-    mine = failed is None or "bind" in failed[1] or "main.cpp" in failed[1]
+    mine = failed is None or any(part in failed[1] for part in ("bind", "main.cpp", "explain.cpp"))
     words = [f"{shown} does not compile yet. The first error:" if mine else
              "Something other than your header does not build. Is all of Lantern as it was? (git status) The first error:", "",
              *("  " + line for line in error.splitlines()), ""]

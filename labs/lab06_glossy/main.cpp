@@ -8,8 +8,8 @@ int main(int argc, char** argv) {
     return support::draw(argc, argv, {
         {"lab06_1_axes.png", pictures::axes},
         {"lab06_2_square.png", pictures::square},
-        {"lab06_3_row.png", [] { return pictures::row(5); }},
-        {"lab06_4_points.png", pictures::points},
-        {"lab06_5_frosted.png", [] { return pictures::frosted(5); }},
+        {"lab06_3_row.png", [] { return hall::picture(pictures::row(5)); }},
+        {"lab06_4_points.png", [] { return pictures::points(); }},
+        {"lab06_5_frosted.png", [] { return hall::picture(pictures::frosted(5)); }},
     });
 }

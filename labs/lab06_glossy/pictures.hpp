@@ -62,23 +62,25 @@ inline lantern::image square() {
 }
 
 /// Step 3: one reflected ray for each sample of a pixel, side × side of them.
-inline lantern::image row(std::uint32_t side) {
-    return hall::picture({748, 220}, side, hall::row_of({0, 0.1f, 0.25f, 0.5f, 1}, {0.95f, 0.9f, 0.8f}), hall::metal(lab06::reflected));
+inline hall::shot row(std::uint32_t side) {
+    return {{748, 220}, side, hall::row_of({0, 0.1f, 0.25f, 0.5f, 1}, {0.95f, 0.9f, 0.8f}), hall::metal(lab06::reflected)};
 }
 
-/// Step 4: one sample a pixel, and 1, 4, 16, 64 points for its reflection.
+/// Step 4: one sample a pixel, and 1, 4, 16, 64 points for its reflection, as the panel is 0, 1, 2, 3.
+inline hall::shot points(std::uint32_t panel) {
+    const lantern::jittered set{.side = 1u << panel};
+    const hall::material many = [set](const hall::ball& b, glm::vec3 in, const lantern::hit& h, glm::vec2 xi, const hall::look& look) {
+        std::vector<glm::vec2> unit_square;
+        const auto pixel = glm::uvec2(xi * 65536.0f);  // another set for each
+        for (std::uint32_t i = 0; i < set.count(); ++i) unit_square.push_back(set.at(pixel, i).draw2(lantern::purpose::gloss));
+        return b.color * lab06::reflected_radiance(in, h.normal, b.width, unit_square, [&](glm::vec3 out) { return look(leave(h, out), out, 0); });
+    };
+    return {{220, 220}, 1, hall::row_of({-1, -1, 0.5f, -1, -1}, {0.95f, 0.9f, 0.8f}), many, {0.4f, 0.12f, 0.6f, 0.8f}};
+}
 inline lantern::image points() {
     lantern::image result({4 * 220 + 3, 220}, glm::vec3(1));
     for (std::uint32_t panel = 0; panel < 4; ++panel) {
-        const lantern::jittered set{.side = 1u << panel};
-        const hall::material many = [&](const hall::ball& b, glm::vec3 in, const lantern::hit& h, glm::vec2 xi, const hall::look& look) {
-            std::vector<glm::vec2> unit_square;
-            const auto pixel = glm::uvec2(xi * 65536.0f);  // another set for each
-            for (std::uint32_t i = 0; i < set.count(); ++i) unit_square.push_back(set.at(pixel, i).draw2(lantern::purpose::gloss));
-            return b.color * lab06::reflected_radiance(in, h.normal, b.width, unit_square, [&](glm::vec3 out) { return look(leave(h, out), out, 0); });
-        };
-        std::vector<hall::ball> balls = hall::row_of({-1, -1, 0.5f, -1, -1}, {0.95f, 0.9f, 0.8f});
-        const lantern::image part = hall::picture({220, 220}, 1, balls, many, {0.4f, 0.12f, 0.6f, 0.8f});
+        const lantern::image part = hall::picture(points(panel));
         for (unsigned y = 0; y < 220; ++y)
             for (unsigned x = 0; x < 220; ++x) result(221 * panel + x, y) = part(x, y);
     }
@@ -86,7 +88,7 @@ inline lantern::image points() {
 }
 
 /// Step 5: balls of frosted glass. The ray is perturbed where it enters and where it leaves.
-inline lantern::image frosted(std::uint32_t side) {
+inline hall::shot frosted(std::uint32_t side) {
     const hall::material glass = [](const hall::ball& b, glm::vec3 in, const lantern::hit& h, glm::vec2 xi, const hall::look& look) {
         const bool enters = glm::dot(in, h.normal) < 0;
         const glm::vec3 normal = enters ? h.normal : -h.normal;
@@ -94,7 +96,7 @@ inline lantern::image frosted(std::uint32_t side) {
         const glm::vec3 out = through ? *through : glm::reflect(in, normal);
         return look(leave(h, out), out, 0) * glm::sqrt(b.color);
     };
-    return hall::picture({748, 220}, side, hall::row_of({0, 0.05f, 0.12f, 0.25f, 0.5f}, {0.9f, 0.97f, 0.95f}), glass);
+    return {{748, 220}, side, hall::row_of({0, 0.05f, 0.12f, 0.25f, 0.5f}, {0.9f, 0.97f, 0.95f}), glass};
 }
 
 }  // namespace pictures

@@ -99,24 +99,36 @@ material metal(Reflected reflected) {
     };
 }
 
-/// side × side samples a pixel. `part` says what is shown: left, top, right and bottom as fractions of the whole hall.
-inline lantern::image picture(glm::uvec2 size, std::uint32_t side, const std::vector<ball>& balls, const material& what,
-                              glm::vec4 part = {0, 0, 1, 1}) {
-    const lantern::camera whole{lantern::view{.eye = {0, 2.6f, 13}, .target = {0, 0.85f, 0}, .vertical_fov = 0.28f, .aspect = 3.4f}};
-    const eye seen(balls, what);
-    lantern::image result(size);
-    const lantern::jittered sampler{.side = side};
-    lantern::in_parallel(size.y, 0, [&](std::size_t row) {
-        for (unsigned x = 0; x < size.x; ++x) {
-            lantern::accumulator sum;
-            for (std::uint32_t i = 0; i < sampler.count(); ++i) {
-                const auto source = sampler.at({x, unsigned(row)}, i);
-                const glm::vec2 film = (glm::vec2(x, row) + source.draw2(lantern::purpose::film)) / glm::vec2(size);
-                const glm::vec2 shown = glm::mix(glm::vec2(part.x, part.y), glm::vec2(part.z, part.w), film);
-                sum.add(seen(shoot(whole, shown), source));
-            }
-            result(x, unsigned(row)) = sum.mean();
-        }
+/// What a picture of the hall is taken of, and how: side × side samples a pixel. `part` says what is shown: left, top, right and bottom as
+/// fractions of the whole hall.
+struct shot {
+    glm::uvec2 size{0};
+    std::uint32_t side = 1;
+    std::vector<ball> balls{};
+    material what{};
+    glm::vec4 part{0, 0, 1, 1};
+};
+
+inline const lantern::camera<> whole{lantern::view{.eye = {0, 2.6f, 13}, .target = {0, 0.85f, 0}, .vertical_fov = 0.28f, .aspect = 3.4f}};
+
+inline glm::vec3 sample(const shot& s, const lantern::jittered& sampler, glm::uvec2 pixel, std::uint32_t i) {
+    const auto source = sampler.at(pixel, i);
+    const glm::vec2 film = (glm::vec2(pixel) + source.draw2(lantern::purpose::film)) / glm::vec2(s.size);
+    const glm::vec2 shown = glm::mix(glm::vec2(s.part.x, s.part.y), glm::vec2(s.part.z, s.part.w), film);
+    return eye(s.balls, s.what)(shoot(whole, shown), source);
+}
+
+inline glm::vec3 pixel(const shot& s, glm::uvec2 at) {
+    const lantern::jittered sampler{.side = s.side};
+    lantern::accumulator sum;
+    for (std::uint32_t i = 0; i < sampler.count(); ++i) sum.add(sample(s, sampler, at, i));
+    return sum.mean();
+}
+
+inline lantern::image picture(const shot& s) {
+    lantern::image result(s.size);
+    lantern::in_parallel(s.size.y, 0, [&](std::size_t row) {
+        for (unsigned x = 0; x < s.size.x; ++x) result(x, unsigned(row)) = pixel(s, {x, unsigned(row)});
     });
     return result;
 }

@@ -30,7 +30,7 @@ lantern::image mistakes() {
     lantern::image result({unsigned(panels.size()) * (side + 1) - 1, side}, glm::vec3(1));
     for (unsigned i = 0; i < panels.size(); ++i) {
         const auto balls = hall::row_of({-1, -1, panels[i].width, -1, -1}, {0.95f, 0.9f, 0.8f});
-        const lantern::image ball = hall::picture({side, side}, 14, balls, hall::metal(panels[i].reflected), {0.4f, 0.14f, 0.6f, 0.82f});
+        const lantern::image ball = hall::picture({{side, side}, 14, balls, hall::metal(panels[i].reflected), {0.4f, 0.14f, 0.6f, 0.82f}});
         for (unsigned y = 0; y < side; ++y)
             for (unsigned x = 0; x < side; ++x) result((side + 1) * i + x, y) = ball(x, y);
     }
@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = argc > 1 ? argv[1] : "labs/lab06_glossy/figures";
     lantern::write_png(folder / "axes.png", pictures::axes());
     lantern::write_png(folder / "square.png", pictures::square());
-    lantern::write_png(folder / "row.png", pictures::row(14));
+    lantern::write_png(folder / "row.png", hall::picture(pictures::row(14)));
     lantern::write_png(folder / "points.png", pictures::points());
-    lantern::write_png(folder / "frosted.png", pictures::frosted(14));
+    lantern::write_png(folder / "frosted.png", hall::picture(pictures::frosted(14)));
     lantern::write_png(folder / "mistakes.png", mistakes());
 }
