@@ -49,24 +49,34 @@ using shot = std::function<lantern::ray(const garden::stand&, glm::vec2 film, gl
 
 constexpr float half_height = 0.26f;  // of the film, at distance 1
 
-/// side × side samples a pixel.
-inline lantern::image taken(glm::uvec2 size, std::uint32_t side, const shot& through) {
-    const garden::stand camera;
-    const std::vector<garden::ball> balls = garden::balls();
-    const float half_width = half_height * float(size.x) / float(size.y);
-    lantern::image page(size);
-    const lantern::multi_jittered sampler{.side = side};
-    lantern::in_parallel(size.y, 0, [&](std::size_t row) {
-        for (unsigned x = 0; x < size.x; ++x) {
-            lantern::accumulator sum;
-            for (std::uint32_t i = 0; i < sampler.count(); ++i) {
-                const auto source = sampler.at({x, unsigned(row)}, i);
-                const glm::vec2 p = (glm::vec2(x, row) + source.draw2(lantern::purpose::film)) / glm::vec2(size);
-                const glm::vec2 film{(2 * p.x - 1) * half_width, (1 - 2 * p.y) * half_height};
-                sum.add(garden::radiance(balls, through(camera, film, source.draw2(lantern::purpose::lens))));
-            }
-            page(x, unsigned(row)) = sum.mean();
-        }
+/// What is taken: side × side samples a pixel.
+struct photograph {
+    glm::uvec2 size{0};
+    std::uint32_t side = 1;
+    shot through{};
+    std::vector<garden::ball> balls = garden::balls();
+    garden::stand camera{};
+};
+
+inline glm::vec3 sample(const photograph& p, const lantern::multi_jittered& sampler, glm::uvec2 pixel, std::uint32_t i) {
+    const float half_width = half_height * float(p.size.x) / float(p.size.y);
+    const auto source = sampler.at(pixel, i);
+    const glm::vec2 at = (glm::vec2(pixel) + source.draw2(lantern::purpose::film)) / glm::vec2(p.size);
+    const glm::vec2 film{(2 * at.x - 1) * half_width, (1 - 2 * at.y) * half_height};
+    return garden::radiance(p.balls, p.through(p.camera, film, source.draw2(lantern::purpose::lens)));
+}
+
+inline glm::vec3 pixel(const photograph& p, glm::uvec2 at) {
+    const lantern::multi_jittered sampler{.side = p.side};
+    lantern::accumulator sum;
+    for (std::uint32_t i = 0; i < sampler.count(); ++i) sum.add(sample(p, sampler, at, i));
+    return sum.mean();
+}
+
+inline lantern::image taken(const photograph& p) {
+    lantern::image page(p.size);
+    lantern::in_parallel(p.size.y, 0, [&](std::size_t row) {
+        for (unsigned x = 0; x < p.size.x; ++x) page(x, unsigned(row)) = pixel(p, {x, unsigned(row)});
     });
     return page;
 }
@@ -75,8 +85,8 @@ inline lantern::image taken(glm::uvec2 size, std::uint32_t side, const shot& thr
 inline float depth_of(std::size_t i) { return garden::stand{}.depth(garden::balls()[i].shape.center); }
 
 /// Step 3: focused on one of the balls.
-inline lantern::image focused(glm::uvec2 size, std::uint32_t side, float radius, float focus) {
-    return taken(size, side, [=](const garden::stand& c, glm::vec2 film, glm::vec2 xi) { return lab07::through_lens(c.eye, c.axes, film, radius, focus, xi); });
+inline photograph focused(glm::uvec2 size, std::uint32_t side, float radius, float focus) {
+    return {size, side, [=](const garden::stand& c, glm::vec2 film, glm::vec2 xi) { return lab07::through_lens(c.eye, c.axes, film, radius, focus, xi); }};
 }
 
 /// Steps 4 and 5: a point of light at nine depths. Above, discs of the diameter that the formula gives; below, the points
@@ -134,12 +144,12 @@ inline lantern::image samples() {
 }
 
 /// Step 7: six blades.
-inline lantern::image blades(glm::uvec2 size, std::uint32_t side, int count) {
-    return taken(size, side, [=](const garden::stand& c, glm::vec2 film, glm::vec2 xi) {
+inline photograph blades(glm::uvec2 size, std::uint32_t side, int count) {
+    return {size, side, [=](const garden::stand& c, glm::vec2 film, glm::vec2 xi) {
         const glm::vec2 l = lab07::on_blades(xi, 0.12f, count);
         const glm::vec3 offset = l.x * c.axes[0] + l.y * c.axes[1];
         return lantern::ray{c.eye + offset, glm::normalize(c.axes * glm::vec3(film, 1) - offset / depth_of(0))};
-    });
+    }};
 }
 
 }  // namespace pictures

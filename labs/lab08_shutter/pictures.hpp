@@ -42,7 +42,7 @@ inline lantern::image boxes(glm::uvec2 size, std::uint32_t side) {
                 }
         return false;
     };
-    const stage::eye seen({.alone = true});
+    const stage::eye<> seen({.alone = true});
     return lantern::render(size, stage::camera(), lantern::multi_jittered{.side = side}, [&](const lantern::ray& r, const auto& source) {
         if (on_edge(r)) return glm::vec3(1, 0.85f, 0.2f);
         return seen({r.origin, r.direction, lab08::moment(0, 1, source.draw1(lantern::purpose::time))});

@@ -43,6 +43,8 @@ inline std::vector<ball> balls() {
     };
 }
 
+inline constexpr glm::vec3 lamp{-4, 9, 6};
+
 /// What the picture asks of the lab. The handout puts mistakes into it.
 struct parts {
     std::function<std::optional<float>(const moving_sphere&, const timed_ray&)> intersect = lab08::intersect;
@@ -52,11 +54,25 @@ struct parts {
     bool alone = false;  ///< no rays go on: neither shadows nor reflections
 };
 
+/// Whoever watches is asked for the light along each ray, and may look for it, or know better. Nobody just looks.
+struct nobody {
+    template <class Look>
+    glm::vec3 operator()(const timed_ray&, const Look& look) const {
+        return look();
+    }
+};
+
+template <class Watch = nobody>
 class eye {
 public:
-    explicit eye(parts what) : what_(std::move(what)) {}
+    explicit eye(parts what, Watch watch = {}) : what_(std::move(what)), watch_(std::move(watch)) {}
 
     [[nodiscard]] glm::vec3 operator()(const timed_ray& r, int depth = 0) const {
+        return watch_(r, [&] { return light(r, depth); });
+    }
+
+private:
+    glm::vec3 light(const timed_ray& r, int depth) const {
         const ball* nearest = nullptr;
         float t = std::numeric_limits<float>::infinity();
         for (const ball& b : balls_)
@@ -75,12 +91,10 @@ public:
         return lit(r, h, nearest->color) + mirrored(r, h, 0.08f, depth);
     }
 
-private:
     static glm::vec3 sky(glm::vec3 d) { return glm::mix(glm::vec3(0.3f, 0.34f, 0.4f), glm::vec3(0.05f, 0.1f, 0.22f), glm::clamp(d.y * 2, 0.0f, 1.0f)); }
 
     /// Light from the lamp, where a shadow ray reaches it, and a little from everywhere.
     glm::vec3 lit(const timed_ray& r, const lantern::hit& h, glm::vec3 color) const {
-        const glm::vec3 lamp{-4, 9, 6};
         const glm::vec3 to_lamp = lamp - h.point;
         float light = std::max(glm::dot(glm::normalize(to_lamp), h.normal), 0.0f);
         if (light > 0 && !what_.alone) {
@@ -115,16 +129,25 @@ private:
 
     std::vector<ball> balls_ = balls();
     parts what_;
+    Watch watch_;
 };
 
 inline lantern::camera<> camera() { return lantern::camera{lantern::view{.eye = {0, 1.9f, 9}, .target = {0, 1.2f, 0}, .vertical_fov = 0.46f, .aspect = 2.4f}}; }
 
-/// side × side samples a pixel, each at its own moment while the shutter is open.
-inline lantern::image taken(glm::uvec2 size, std::uint32_t side, const parts& what, float open = 0, float close = 1) {
-    const eye seen(what);
-    return lantern::render(size, camera(), lantern::multi_jittered{.side = side}, [&](const lantern::ray& r, const auto& source) {
+/// A shade for lantern::render: each sample at its own moment while the shutter is open.
+template <class Watch>
+struct exposed {
+    eye<Watch> seen;
+    float open = 0, close = 1;
+
+    glm::vec3 operator()(const lantern::ray& r, const auto& source) const {
         return seen({r.origin, r.direction, lab08::moment(open, close, source.draw1(lantern::purpose::time))});
-    });
+    }
+};
+
+/// side × side samples a pixel.
+inline lantern::image taken(glm::uvec2 size, std::uint32_t side, const parts& what, float open = 0, float close = 1) {
+    return lantern::render(size, camera(), lantern::multi_jittered{.side = side}, exposed<nobody>{eye<>(what), open, close});
 }
 
 }  // namespace stage

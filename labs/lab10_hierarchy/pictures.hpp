@@ -217,38 +217,47 @@ inline lantern::image joined(glm::uvec2 size) {
 
 // ---- Steps 6 and 7 -------------------------------------------------------------------------------------------------
 
-/// A picture's pixels, each the heat of what its ray asks: ask(ray).
-template <class Ask>
-lantern::image heat_map(glm::uvec2 size, Ask ask) {
-    return lantern::render(size, stage::camera(size), lantern::multi_jittered{.side = 2},
-                           [&](const lantern::ray& r, const auto&) { return heat(ask(r)); });
-}
-
 /// How the first hit is found, and what is asked on the way: stage::closest, or with one of the handout's mistakes.
 using search = std::function<std::optional<lantern::nearest>(const lab10::tree&, const balls&, const lantern::ray&, stage::count&)>;
 
-/// The flake as a search finds it in a tree; and what its rays ask.
-inline lantern::image found(glm::uvec2 size, const lab10::tree& t, const balls& all, const search& find) {
-    return lantern::render(size, stage::camera(size), lantern::multi_jittered{.side = 3}, [&](const lantern::ray& r, const auto&) {
+/// What a ray sees of the flake, as a search finds it in a tree; and how much it asks for that, as heat.
+struct flake_found {
+    const lab10::tree& t;
+    const balls& all;
+    search find = stage::closest<stage::count>;
+
+    glm::vec3 operator()(const lantern::ray& r, const auto&...) const {
         stage::count asked;
         const auto h = find(t, all, r, asked);
         return h ? stage::lit(*h, color_of_part(h->index, 91), false) : stage::sky(r);
-    });
-}
-inline lantern::image heat_of(glm::uvec2 size, const lab10::tree& t, const balls& all, const search& find) {
-    return heat_map(size, [&](const lantern::ray& r) {
+    }
+};
+struct flake_asked {
+    const lab10::tree& t;
+    const balls& all;
+    search find = stage::closest<stage::count>;
+
+    glm::vec3 operator()(const lantern::ray& r, const auto&...) const {
         stage::count asked;
         (void)find(t, all, r, asked);
-        return asked.total();
-    });
+        return heat(asked.total());
+    }
+};
+inline constexpr lantern::multi_jittered found_samples{.side = 3}, heat_samples{.side = 2};
+
+inline lantern::image found(glm::uvec2 size, const lab10::tree& t, const balls& all, const search& find = stage::closest<stage::count>) {
+    return lantern::render(size, stage::camera(size), found_samples, flake_found{t, all, find});
+}
+inline lantern::image heat_of(glm::uvec2 size, const lab10::tree& t, const balls& all, const search& find = stage::closest<stage::count>) {
+    return lantern::render(size, stage::camera(size), heat_samples, flake_asked{t, all, find});
 }
 
 /// The flake as the student's traversal finds it; what its rays ask without a tree; and what they ask with one.
 inline lantern::image cost_map(glm::uvec2 size) {
     const balls all = stage::flake(3);
     const lab10::tree t = stage::library_tree(all, lantern::split::surface_area);
-    const lantern::image brute_force = heat_map(size, [&](const lantern::ray&) { return float(all.size()); });
-    return with_scale(table({found(size, t, all, stage::closest), brute_force, heat_of(size, t, all, stage::closest)}, 3));
+    const lantern::image brute_force(size, heat(float(all.size())));
+    return with_scale(table({found(size, t, all), brute_force, heat_of(size, t, all)}, 3));
 }
 
 /// What a ray asks on average, on its way to the closest hit: 64 x 64 rays of the camera.
@@ -303,7 +312,7 @@ std::vector<lantern::image> in_the_light(glm::uvec2 size, Dark dark) {
                 return heat(asked.total());
             })};
 }
-inline lantern::image shadows(glm::uvec2 size) { return with_scale(table(in_the_light(size, stage::dark), 2)); }
+inline lantern::image shadows(glm::uvec2 size) { return with_scale(table(in_the_light(size, stage::dark<stage::count>), 2)); }
 
 // ---- Step 8 --------------------------------------------------------------------------------------------------------
 

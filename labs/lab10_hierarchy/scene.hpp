@@ -95,15 +95,25 @@ inline std::optional<float> entry(const lantern::aabb& box, const lantern::ray& 
 struct count {
     std::uint32_t questions = 0, offers = 0;
     [[nodiscard]] float total() const { return float(questions) + float(offers); }
+
+    void question(std::uint32_t, const std::optional<float>&) { ++questions; }
+    void offer(std::uint32_t, const std::optional<lantern::hit>&, lantern::interval) { ++offers; }
 };
 
-/// The first hit, found by the student's traversal.
-inline std::optional<lantern::nearest> closest(const lab10::tree& t, const balls& all, const lantern::ray& r, count& asked) {
+/// The first hit, found by the student's traversal. `asked` hears of every question: which node was entered where, which surface was
+/// offered for which range, and where it was hit.
+template <class Count>
+std::optional<lantern::nearest> closest(const lab10::tree& t, const balls& all, const lantern::ray& r, Count& asked) {
     std::optional<lantern::nearest> best;
-    lab10::traverse(t, {}, [&](std::uint32_t at) { ++asked.questions; return entry(t.nodes[at].box, r); },
+    lab10::traverse(t, {},
+                    [&](std::uint32_t at) {
+                        const auto entered = entry(t.nodes[at].box, r);
+                        asked.question(at, entered);
+                        return entered;
+                    },
                     [&](std::uint32_t surface, lantern::interval rest) {
-                        ++asked.offers;
                         const auto h = intersect(all[surface], r, rest);
+                        asked.offer(surface, h, rest);
                         if (!h) return rest;
                         if (!best || h->t < best->t || surface < best->index) best = lantern::nearest{*h, surface};
                         return lantern::interval{rest.min, h->t};
@@ -112,10 +122,20 @@ inline std::optional<lantern::nearest> closest(const lab10::tree& t, const balls
 }
 
 /// Whether anything stands between the ray's origin and the light, at t = 1; by the student's search.
-inline bool dark(const lab10::tree& t, const balls& all, const lantern::ray& r, count& asked) {
+template <class Count>
+bool dark(const lab10::tree& t, const balls& all, const lantern::ray& r, Count& asked) {
     const lantern::interval range{0, 1};
-    return lab10::occluded(t, range, [&](std::uint32_t at) { ++asked.questions; return entry(t.nodes[at].box, r); },
-                           [&](std::uint32_t surface) { ++asked.offers; return intersect(all[surface], r, range).has_value(); });
+    return lab10::occluded(t, range,
+                           [&](std::uint32_t at) {
+                               const auto entered = entry(t.nodes[at].box, r);
+                               asked.question(at, entered);
+                               return entered;
+                           },
+                           [&](std::uint32_t surface) {
+                               const auto h = intersect(all[surface], r, range);
+                               asked.offer(surface, h, range);
+                               return h.has_value();
+                           });
 }
 
 // ---- Trees ---------------------------------------------------------------------------------------------------------

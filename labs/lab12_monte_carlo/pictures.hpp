@@ -25,19 +25,24 @@ namespace pictures {
 
 using shade = std::function<glm::vec3(const lantern::ray&, lab12::numbers&)>;
 
-/// Every pixel the mean of so many samples, each with numbers of its own.
+/// Sample i of a pixel, with numbers of its own.
+inline glm::vec3 sample(glm::uvec2 size, const lantern::camera<>& cam, glm::uvec2 pixel, std::uint32_t i, const shade& look) {
+    lab12::numbers random((std::size_t{pixel.y} * size.x + pixel.x) * 65536 + i);
+    const glm::vec2 film = (glm::vec2(pixel) + random.two()) / glm::vec2(size);
+    return look(shoot(cam, film), random);
+}
+
+/// The mean of so many samples.
+inline glm::vec3 pixel(glm::uvec2 size, const lantern::camera<>& cam, glm::uvec2 at, std::uint32_t samples, const shade& look) {
+    lantern::accumulator sum;
+    for (std::uint32_t i = 0; i < samples; ++i) sum.add(sample(size, cam, at, i, look));
+    return sum.mean();
+}
+
 inline lantern::image picture(glm::uvec2 size, const lantern::camera<>& cam, std::uint32_t samples, const shade& look) {
     lantern::image result(size);
     lantern::in_parallel(size.y, 0, [&](std::size_t row) {
-        for (unsigned x = 0; x < size.x; ++x) {
-            lantern::accumulator sum;
-            for (std::uint32_t i = 0; i < samples; ++i) {
-                lab12::numbers random((row * size.x + x) * 65536 + i);
-                const glm::vec2 film = (glm::vec2(x, row) + random.two()) / glm::vec2(size);
-                sum.add(look(shoot(cam, film), random));
-            }
-            result(x, unsigned(row)) = sum.mean();
-        }
+        for (unsigned x = 0; x < size.x; ++x) result(x, unsigned(row)) = pixel(size, cam, {x, unsigned(row)}, samples, look);
     });
     return result;
 }
@@ -154,12 +159,13 @@ inline lantern::camera<> before_the_box() {
 }
 
 /// Steps 4 and 5: light straight from the lamp.
+inline glm::vec3 direct_light(const lab12::scene& s, const lantern::ray& r, lab12::numbers& random) {
+    const auto f = find(s, r);
+    return f ? f->what.emission + lab12::from_lamp(s, *f, random.two()).light : glm::vec3(0);
+}
 inline lantern::image direct(std::uint32_t samples) {
     const lab12::scene s = cornell();
-    return picture({300, 300}, before_the_box(), samples, [&](const lantern::ray& r, lab12::numbers& random) {
-        const auto f = find(s, r);
-        return f ? f->what.emission + lab12::from_lamp(s, *f, random.two()).light : glm::vec3(0);
-    });
+    return picture({300, 300}, before_the_box(), samples, [&](const lantern::ray& r, lab12::numbers& random) { return direct_light(s, r, random); });
 }
 
 /// Step 6: a floor before a bright screen that stands on it. Shadow rays alone, bounces alone, both with their shares.

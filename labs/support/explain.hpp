@@ -33,6 +33,7 @@ struct subject {
     std::string name;  ///< as the lab's program calls the file
     glm::uvec2 size{0};
     std::uint32_t samples = 1;
+    std::function<std::uint32_t(glm::uvec2 pixel)> samples_at{};                       ///< where not all pixels have as many
     std::function<glm::vec3(glm::uvec2 pixel)> pixel;                                  ///< as it is in the picture, to the last bit
     std::function<glm::vec3(glm::uvec2 pixel, std::uint32_t i)> sample;                ///< of which that is the mean
     std::function<glm::vec3(glm::uvec2 pixel, std::uint32_t i, float light)> with_card{};  ///< the same, with a card that gives so much light
@@ -115,7 +116,7 @@ inline std::string explained(const subject& s, glm::uvec2 pixel, std::uint32_t i
                                                 {"surface", std::to_string(figures.number_of(*a.what))}})});
         if (here.why == "camera" && !s.with_card) {
             ray.push_back({"weight", json::of(glm::vec3(1))});
-            if (!s.world.camera_only) ray.push_back({"brings", json::of(color)});
+            ray.push_back({"brings", json::of(color)});
         } else {
             const glm::vec3 black = again(recorder::trick::card, a.ray, 0);
             ray.push_back({"brings", json::of(color - black)});
@@ -145,7 +146,8 @@ inline std::string pixel_of(const subject& s, glm::uvec2 pixel) {
     catalogue figures(s.world);
     lantern::accumulator sum;
     std::vector<std::string> samples;
-    for (std::uint32_t i = 0; i < s.samples; ++i) {
+    const std::uint32_t count = s.samples_at ? s.samples_at(pixel) : s.samples;
+    for (std::uint32_t i = 0; i < count; ++i) {
         glm::vec3 one(0);
         samples.push_back(explained(s, pixel, i, figures, one));
         sum.add(one);

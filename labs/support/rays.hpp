@@ -32,8 +32,7 @@ struct world {
     std::optional<float> floor{};  ///< the height of a floor that the scene's code meets by itself, behind all its surfaces
     float floor_ends = lantern::infinity;  ///< no t as large meets it
     std::string beyond = "the sky";
-    bool matt = false;       ///< a ray that goes on was drawn, not mirrored
-    bool camera_only = false;  ///< all rays of a sample come from the camera
+    bool matt = false;  ///< a ray that goes on was drawn, not mirrored
 };
 
 /// A ray's place in the tree.
@@ -73,7 +72,7 @@ inline void add_floor(asked& a, const world& w) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         place& here = all[i];
         here.why = "camera";
-        if (i == 0 || w.camera_only) continue;
+        if (i == 0) continue;
         for (std::size_t k = 0; k < i; ++k) {
             if (!rays[k].met || all[k].why == "shadow") continue;
             const float gap = glm::distance(rays[i].ray.origin, rays[k].met->point);

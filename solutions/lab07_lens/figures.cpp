@@ -47,7 +47,7 @@ lantern::image mistakes() {
     const glm::uvec2 size{176, 176};
     const float focus = pictures::depth_of(1);
     const auto way = [&](auto direction) {
-        return pictures::taken(size, 12, [=](const garden::stand& c, glm::vec2 film, glm::vec2 xi) { return direction(c, film, xi); });
+        return pictures::taken({size, 12, [=](const garden::stand& c, glm::vec2 film, glm::vec2 xi) { return direction(c, film, xi); }});
     };
     const auto through = [focus](const garden::stand& c, glm::vec2 film, glm::vec2 l) {
         const glm::vec3 offset = l.x * c.axes[0] + l.y * c.axes[1];
@@ -72,12 +72,12 @@ lantern::image mistakes() {
 int main(int argc, char** argv) {
     const std::filesystem::path folder = argc > 1 ? argv[1] : "labs/lab07_lens/figures";
     lantern::write_png(folder / "lenses.png", lenses());
-    lantern::write_png(folder / "focus.png", pictures::focused({720, 300}, 18, 0.12f, pictures::depth_of(1)));
-    lantern::write_png(folder / "three.png", beside({pictures::focused({246, 164}, 18, 0, pictures::depth_of(0)),
-                                                     pictures::focused({246, 164}, 18, 0.12f, pictures::depth_of(0)),
-                                                     pictures::focused({246, 164}, 18, 0.12f, pictures::depth_of(2))}));
+    lantern::write_png(folder / "focus.png", pictures::taken(pictures::focused({720, 300}, 18, 0.12f, pictures::depth_of(1))));
+    lantern::write_png(folder / "three.png", beside({pictures::taken(pictures::focused({246, 164}, 18, 0, pictures::depth_of(0))),
+                                                     pictures::taken(pictures::focused({246, 164}, 18, 0.12f, pictures::depth_of(0))),
+                                                     pictures::taken(pictures::focused({246, 164}, 18, 0.12f, pictures::depth_of(2)))}));
     lantern::write_png(folder / "discs.png", pictures::discs());
     lantern::write_png(folder / "samples.png", pictures::samples());
-    lantern::write_png(folder / "blades.png", pictures::blades({720, 300}, 18, 6));
+    lantern::write_png(folder / "blades.png", pictures::taken(pictures::blades({720, 300}, 18, 6)));
     lantern::write_png(folder / "mistakes.png", mistakes());
 }

@@ -69,7 +69,7 @@ lantern::image shadows() {
         const auto h = stage::closest(t, all, r, asked);
         return h && h->t <= 1;
     };
-    std::vector<lantern::image> parts = pictures::in_the_light(size, stage::dark);
+    std::vector<lantern::image> parts = pictures::in_the_light(size, stage::dark<stage::count>);
     parts.insert(parts.begin() + 1, pictures::in_the_light(size, closest)[1]);
     return pictures::with_scale(pictures::table(parts, 3));
 }

@@ -20,7 +20,7 @@ KINDS = {"camera": "camera ray", "shadow": "shadow ray that reaches the light", 
 def made(data: dict, title: str, lab: Lab, sample: int | None) -> str:
     many = len(data["samples"])
     safe = json.dumps({**data, "first": sample or 0}, separators=(",", ":")).replace("<", "\\u003c")
-    seen = {("stopped" if ray["why"] == "shadow" and "met" in ray else ray["why"]) for one in data["samples"] for ray in one["rays"]}
+    seen = {text.kind(ray) for one in data["samples"] for ray in one["rays"]}
     legend = "".join(f'<span><i style="border-color: var(--{kind})"></i>{word}</span>' for kind, word in KINDS.items() if kind in seen)
     choice = (f'<div class="bar"><label for="sample" id="which">sample 1 of {many}</label><input type="range" id="sample" min="1" max="{many}" value="1">'
               f'<label><input type="checkbox" id="others"> the others too</label></div>') if many > 1 else ""
@@ -31,10 +31,10 @@ def made(data: dict, title: str, lab: Lab, sample: int | None) -> str:
             f'<h1>Why does this pixel look so?</h1>{head(data, title, lab)}'
             f'<div class="both"><div class="stage"><canvas id="view" tabindex="0" role="img" aria-label="the rays in the scene, to turn with the arrow keys"></canvas>'
             f'<div class="bar"><button id="home">from aside</button><button id="eye">from the eye</button><button id="nearer">nearer</button>'
-            f'<button id="farther">farther</button></div><div class="legend">{legend}</div>'
+            f'<button id="farther">farther</button></div><div class="legend">{legend}</div><div class="detail" id="detail"></div>'
             f'<p class="faint">Drag to turn, wheel or pinch to come nearer, shift and drag to shift. Keys: arrows, <kbd>+</kbd> <kbd>-</kbd>, <kbd>0</kbd> from aside, '
             f'<kbd>e</kbd> from the eye, <kbd>[</kbd> <kbd>]</kbd> another sample, <kbd>Esc</kbd> none.</p></div>'
-            f'<div>{choice}<div class="tree" id="tree"><noscript><pre>{rows}</pre></noscript></div><div class="detail" id="detail"></div></div></div>'
+            f'<div>{choice}<div class="tree" id="tree"><noscript><pre>{rows}</pre></noscript></div></div></div>'
             f'<h2>From three sides</h2><p class="faint">{"The rays of sample " + str((sample or 0) + 1) if many > 1 else "The rays"}, drawn without a script.</p>'
             f'<div class="sides">{sides.views(data, first)}</div>'
             f'<script type="application/json" id="data">{safe}</script><script>{(HERE / "view.js").read_text(encoding="utf-8")}</script></body></html>\n')

@@ -15,6 +15,7 @@ from labs import ROOT, Lab, Problem
 
 # Why some labs have no such program.
 NOTHING = {
+    "lab01": "a pixel there is one ray, and its colour is the ray's direction; no ray meets a surface yet",
     "lab04": "its pictures are made of points and filters, and no ray is sent for them",
     "lab13": "its pictures are curves and closed forms, and no ray meets a surface for them",
     "lab14": "its pictures show formulas one by one; ./lab run 14 prints what each gets wrong, ./lab stress --student says it case by case",

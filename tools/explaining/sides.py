@@ -60,7 +60,7 @@ def view(data: dict, rays: list[dict], balls: list, low: list[float], high: list
         parts.append(f'<polygon points="{path}" fill="{text.screen(surface["color"])}" fill-opacity=".15" style="stroke: var(--line)"/>')
     for ray in rays:
         (x0, y0), (x1, y1) = at(ray["origin"]), at(end(ray, far))
-        kind = "stopped" if ray["why"] == "shadow" and "met" in ray else ray["why"]
+        kind = text.kind(ray)
         parts.append(f'<line x1="{x0:.1f}" y1="{y0:.1f}" x2="{x1:.1f}" y2="{y1:.1f}" style="stroke: var(--{kind})" stroke-width="1.5">'
                      f'<title>{html.escape(text.line(data, ray, rays))}</title></line>')
         if "met" in ray:

@@ -9,8 +9,7 @@ LINES = 48  # so many are printed when no sample is asked for
 def number(x: float | None) -> str:
     if x is None:
         return "∞"
-    text = f"{x:.3g}"
-    return f"{x:.4f}".rstrip("0").rstrip(".") if "e" in text and abs(x) >= 1e-4 else text
+    return f"{x:.0f}" if 1000 <= abs(x) < 1e7 else f"{x:.3g}"
 
 
 def triple(v: list[float]) -> str:
@@ -18,7 +17,9 @@ def triple(v: list[float]) -> str:
 
 
 def amount(v: list[float]) -> str:
-    """Three numbers, or one where they are the same."""
+    """Three numbers, or one where they are the same. What is below a millionth is the rounding of what it was measured by."""
+    if all(abs(x or 0) < 1e-6 for x in v):
+        return "≈ 0" if any(v) else "0"
     texts = [number(x) for x in v]
     return texts[0] if len(set(texts)) == 1 else triple(v)
 
@@ -41,12 +42,21 @@ def gap_matters(ray: dict, rays: list[dict]) -> bool:
     return ray["gap"] > 1e-5 * max(way, *map(abs, before["met"]["point"]))
 
 
+def passes(ray: dict) -> bool:
+    """Whether a shadow ray that meets something brings light all the same: glass may weaken it instead of stopping it."""
+    return ray["why"] == "shadow" and "met" in ray and any(abs(x or 0) > 1e-6 for x in ray.get("brings", []))
+
+
+def kind(ray: dict) -> str:
+    return "stopped" if ray["why"] == "shadow" and "met" in ray and not passes(ray) else ray["why"]
+
+
 def fate(data: dict, ray: dict) -> str:
     """What a ray meets, or reaches."""
     if ray["why"] == "shadow":
         if "met" not in ray:
             return "reaches the light"
-        return f"is stopped by {surface(data, ray['met']['surface'])}"
+        return f"{'passes through' if passes(ray) else 'is stopped by'} {surface(data, ray['met']['surface'])}"
     if "met" not in ray:
         return f"meets nothing: {data['beyond']}"
     return f"meets {surface(data, ray['met']['surface'])} at {triple(ray['met']['point'])}, t = {number(ray['met']['t'])}"
@@ -58,7 +68,7 @@ def line(data: dict, ray: dict, rays: list[dict]) -> str:
         parts.append(f"time {number(ray['time'])}")
     if "weight" in ray and ray["why"] != "camera":
         parts.append(f"weight {amount(ray['weight'])}")
-    if "brings" in ray and (ray["why"] != "shadow" or "met" not in ray):
+    if "brings" in ray and kind(ray) != "stopped":
         parts.append(f"brings {amount(ray['brings'])}")
     if "keeps" in ray:
         parts.append(f"keeps away {amount(ray['keeps'])}")

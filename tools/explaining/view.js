@@ -17,15 +17,17 @@ const length = a => Math.hypot(a[0], a[1], a[2]);
 const unit = a => { const l = length(a); return l > 0 ? mul(1 / l, a) : [0, 0, 1]; };
 
 // ---- words ----
-const number = x => x === null || x === undefined ? '∞' : Math.abs(x) >= 1e-4 || x === 0 ? String(+x.toPrecision(3)) : x.toExponential(2);
+const number = x => x === null || x === undefined ? '∞' : Math.abs(x) >= 1000 ? x.toFixed(0) : Math.abs(x) >= 1e-4 || x === 0 ? String(+x.toPrecision(3)) : x.toExponential(2);
 const triple = v => '(' + v.map(number).join(', ') + ')';
-const amount = v => new Set(v.map(number)).size === 1 ? number(v[0]) : triple(v);
+const amount = v => v.every(x => Math.abs(x) < 1e-6) ? (v.some(x => x) ? '≈ 0' : '0') : new Set(v.map(number)).size === 1 ? number(v[0]) : triple(v);
 const encoded = x => { x = Math.min(Math.max(x || 0, 0), 1); return Math.floor(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.pow(x, 1 / 2.4) - 0.055) + 0.5); };
 const css = (v, alpha = 1) => `rgba(${encoded(v[0])},${encoded(v[1])},${encoded(v[2])},${alpha})`;
 const surface = i => { const s = data.surfaces[i]; return s.name + (s.material ? ` (${s.material})` : ''); };
-const stopped = ray => ray.why === 'shadow' && ray.met;
+// Glass may weaken a shadow ray instead of stopping it.
+const through = ray => ray.why === 'shadow' && ray.met && ray.brings && ray.brings.some(x => Math.abs(x) > 1e-6);
+const stopped = ray => ray.why === 'shadow' && ray.met && !through(ray);
 const kind = ray => stopped(ray) ? 'stopped' : ray.why;
-const fate = ray => ray.why === 'shadow' ? (ray.met ? 'is stopped by ' + surface(ray.met.surface) : 'reaches the light')
+const fate = ray => ray.why === 'shadow' ? (ray.met ? (through(ray) ? 'passes through ' : 'is stopped by ') + surface(ray.met.surface) : 'reaches the light')
   : ray.met ? 'meets ' + surface(ray.met.surface) : 'meets nothing: ' + data.beyond;
 const rays = () => data.samples[state.sample].rays;
 const lit = () => state.over !== null ? state.over : state.pinned;
@@ -47,7 +49,7 @@ function branch(parent) {
     rest.style.color = 'var(--ink)';
     worth.className = 'faint';
     worth.textContent = (ray.weight && ray.why !== 'camera' ? '· weight ' + amount(ray.weight) + ' ' : '') +
-      (ray.keeps ? '· keeps away ' + amount(ray.keeps) : ray.brings ? '· brings ' + amount(ray.brings) : '');
+      (ray.keeps && !through(ray) ? '· keeps away ' + amount(ray.keeps) : ray.brings ? '· brings ' + amount(ray.brings) : '');
     button.append(name, rest, worth);
     button.addEventListener('pointerenter', () => light(i, null));
     button.addEventListener('pointerleave', () => light(null, null));
@@ -328,7 +330,8 @@ canvas.addEventListener('contextmenu', event => event.preventDefault());
 canvas.addEventListener('wheel', event => { event.preventDefault(); zoom(Math.exp(.0012 * event.deltaY)); }, { passive: false });
 function choose(k) {
   state.sample = Math.max(0, Math.min(data.samples.length - 1, k));
-  state.pinned = state.over = null;
+  state.pinned = rays().length === 1 ? 0 : null;
+  state.over = null;
   const slider = document.getElementById('sample');
   if (slider) slider.value = state.sample + 1;
   fill();
@@ -360,6 +363,9 @@ if (slider) slider.addEventListener('input', () => choose(slider.value - 1));
 if (others) others.addEventListener('change', () => { state.others = others.checked; draw(); });
 new ResizeObserver(() => draw()).observe(canvas);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => draw());
+// Where the camera's rays are all there is, they are looked at together.
+if (data.samples.length > 1 && data.samples.every(sample => sample.rays.length <= 1)) others.checked = state.others = true;
+if (rays().length === 1) state.pinned = 0;
 measure();
 home();
 if (slider) slider.value = state.sample + 1;
