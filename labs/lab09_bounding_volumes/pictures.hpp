@@ -40,19 +40,25 @@ inline const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 1
 inline lantern::ray eye_ray(glm::vec2 p) { return {p.x * right + p.y * up - 8.0f * forward, forward}; }
 inline glm::vec2 seen_at(glm::vec3 p) { return {glm::dot(p, right), glm::dot(p, up)}; }
 
-/// side × side samples a pixel of what `color` says about the point; the picture is `height` high.
+/// Sample i of side × side of a pixel: the point of a picture that is `height` high.
+inline glm::vec2 point_of(glm::uvec2 size, unsigned side, float height, glm::uvec2 pixel, unsigned i) {
+    const glm::vec2 in_pixel = (glm::vec2(i % side, i / side) + 0.5f) / float(side);
+    const glm::vec2 p = (glm::vec2(pixel) + in_pixel - glm::vec2(size) / 2.0f) * (height / float(size.y));
+    return {p.x, -p.y};
+}
+
+/// The mean of what `color` says about the points.
+template <class Color>
+glm::vec3 drawn(glm::uvec2 size, unsigned side, float height, glm::uvec2 pixel, const Color& color) {
+    glm::vec3 sum(0);
+    for (unsigned i = 0; i < side * side; ++i) sum += color(point_of(size, side, height, pixel, i));
+    return sum / float(side * side);
+}
+
 inline lantern::image drawing(glm::uvec2 size, unsigned side, float height, const std::function<glm::vec3(glm::vec2)>& color) {
     lantern::image picture(size);
     lantern::in_parallel(size.y, 0, [&](std::size_t y) {
-        for (unsigned x = 0; x < size.x; ++x) {
-            glm::vec3 sum(0);
-            for (unsigned i = 0; i < side * side; ++i) {
-                const glm::vec2 in_pixel = (glm::vec2(i % side, i / side) + 0.5f) / float(side);
-                const glm::vec2 p = (glm::vec2(x, y) + in_pixel - glm::vec2(size) / 2.0f) * (height / float(size.y));
-                sum += color({p.x, -p.y});
-            }
-            picture(x, unsigned(y)) = sum / float(side * side);
-        }
+        for (unsigned x = 0; x < size.x; ++x) picture(x, unsigned(y)) = drawn(size, side, height, {x, unsigned(y)}, color);
     });
     return picture;
 }
@@ -209,19 +215,22 @@ public:
         }
     }
     /// The colour at a point of the picture, and how many triangles were tested for it, with bounded surfaces or without.
+    template <class Box = lab09::box, class Thing = counted>
     [[nodiscard]] std::pair<glm::vec3, std::uint32_t> look(glm::vec2 p, bool with_boxes) const {
         std::uint32_t tests = 0;
         glm::vec3 color = paper;
         lantern::interval range;
         for (std::size_t i = 0; i < things_.size(); ++i) {
-            const counted one{&things_[i], &tests};
-            const auto h = with_boxes ? intersect(lab09::bounded<lab09::box, counted>{boxes_[i], one}, eye_ray(p), range) : intersect(one, eye_ray(p), range);
+            const Thing one{&things_[i], &tests};
+            const auto h = with_boxes ? intersect(lab09::bounded<Box, Thing>{{boxes_[i]}, one}, eye_ray(p), range) : intersect(one, eye_ray(p), range);
             if (!h) continue;
             range.max = h->t;
             color = shaded(*h, things_[i].color);
         }
         return {color, tests};
     }
+
+    [[nodiscard]] const std::vector<shelf::thing>& things() const { return things_; }
 
 private:
     std::vector<shelf::thing> things_ = shelf::things();
@@ -234,14 +243,15 @@ inline glm::vec3 heat(float x) {
 }
 
 /// Step 8: the shelf, and how many triangles were tested for each pixel; on the left without boxes, on the right with them.
+inline constexpr glm::uvec2 saved_size{178, 130};
+inline constexpr float saved_height = 4.3f;
 inline lantern::image saved(unsigned side) {
     const whole_shelf all;
     const auto most = float(all.look({0, 0}, false).second);
     std::vector<lantern::image> cells;
     for (const bool with_boxes : {false, true}) {
-        const glm::uvec2 size{178, 130};
-        cells.push_back(drawing(size, side, 4.3f, [&](glm::vec2 p) { return all.look(p, with_boxes).first; }));
-        cells.push_back(drawing(size, 1, 4.3f, [&](glm::vec2 p) { return heat(float(all.look(p, with_boxes).second) / most); }));
+        cells.push_back(drawing(saved_size, side, saved_height, [&](glm::vec2 p) { return all.look(p, with_boxes).first; }));
+        cells.push_back(drawing(saved_size, 1, saved_height, [&](glm::vec2 p) { return heat(float(all.look(p, with_boxes).second) / most); }));
     }
     return beside(cells);
 }

@@ -68,6 +68,13 @@ inline size_of_it size_of(const lantern::bvh<>& tree) {
     return {double(tree.nodes().size()), double(tree.size()), double(tree.bytes())};
 }
 
+/// A probe may want to know which node, or cell, it is.
+template <class Probe>
+void note(Probe& counter, std::uint32_t node) {
+    if constexpr (requires { counter.node(node); }) counter.node(node);
+    else counter.node();
+}
+
 /// The student's structure as an accelerator of the library's: its walk, its mailbox (until that is written: none), our counting. A
 /// step is a cell of the grid, or a node of a tree that was not on the way to the leaf before.
 template <class Structure>
@@ -87,13 +94,15 @@ public:
             way.assign(1, cell);
             while (!parents_.empty() && way.back() != 0) way.push_back(parents_[way.back()]);
             const auto parted = std::mismatch(way.rbegin(), way.rend(), before.rbegin(), before.rend()).first;  // both ways end at the root
-            for (auto node = parted; node != way.rend(); ++node) counter.node();
+            for (auto node = parted; node != way.rend(); ++node) note(counter, *node);
             std::swap(before, way);
             if (with_mailbox_) return range = lab11::offer_all(surfaces_in(structure_, cell), range, recent, to);
             for (const std::uint32_t i : surfaces_in(structure_, cell)) range = to(i, range);
             return range;
         });
     }
+
+    [[nodiscard]] const Structure& structure() const { return structure_; }
 
 private:
     Structure structure_;
@@ -134,13 +143,17 @@ contestant enter(lab11::structure which, std::string name, const scene& s, Build
 inline constexpr float cells_per_surface = 8;
 inline constexpr std::uint32_t leaf_size = 8, max_depth = 16;
 
-/// The four of them.
-inline std::vector<contestant> contestants(const scene& s, support::gaps& missing) {
-    using boxes = std::vector<lantern::aabb>;
-    const bool with_mailbox = missing.is_written([] {
+inline bool mailbox_is_written(support::gaps& missing) {
+    return missing.is_written([] {
         lab11::mailbox recent;
         return lab11::offer_all({}, {}, recent, {});
     });
+}
+
+/// The four of them.
+inline std::vector<contestant> contestants(const scene& s, support::gaps& missing) {
+    using boxes = std::vector<lantern::aabb>;
+    const bool with_mailbox = mailbox_is_written(missing);
     std::vector<contestant> all;
     const auto add = [&](lab11::structure which, const char* name, auto build) {
         try {

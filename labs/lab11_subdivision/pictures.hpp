@@ -183,25 +183,37 @@ inline const standing* winner(const std::vector<standing>& all) {
 }
 
 inline constexpr glm::uvec2 pane{140, 105};
+inline glm::uvec2 corner_of(std::uint32_t row, std::uint32_t column) { return {4 + column * (pane.x + 6), 4 + row * (pane.y + 6)}; }
+inline constexpr glm::uvec2 page_of_the_contest{8 + 5 * (pane.x + 6) - 6, 8 + 5 * (pane.y + 6) - 6};
+
+/// A pixel of the first column: four rays, lit from where the eye is; look(ray) finds what they meet.
+template <class Look>
+glm::vec3 shown(const lantern::camera<>& camera, glm::uvec2 at, const Look& look) {
+    glm::vec3 color(0);
+    for (int k = 0; k < 4; ++k) {
+        const lantern::ray r = shoot(camera, (glm::vec2(at) + glm::vec2(k % 2, k / 2) * 0.5f + 0.25f) / glm::vec2(pane));
+        const auto h = look(r);
+        const float light = h ? std::abs(glm::dot(h->normal, glm::normalize(glm::vec3(-0.3f, 0.8f, 0.5f)))) : 0;
+        color += 0.25f * (h ? (0.12f + 0.75f * light) * glm::vec3(0.9f, 0.85f, 0.75f) : glm::vec3(0.03f, 0.05f, 0.09f));
+    }
+    return color;
+}
+
+/// What was predicted has a white corner.
+inline bool is_corner(glm::uvec2 at) { return at.x + at.y < 14; }
 
 /// One row: the scene; then for each structure what the rays of the pixels cost. The cheapest is framed in green, what was predicted has a
 /// white corner.
 inline void paint_row(lantern::image& page, std::uint32_t row, const stage::scene& s, const std::vector<standing>& all, lab11::structure predicted) {
-    const auto corner = [&](std::uint32_t column) { return glm::uvec2(4 + column * (pane.x + 6), 4 + row * (pane.y + 6)); };
+    const auto corner = [&](std::uint32_t column) { return corner_of(row, column); };
     const lantern::camera camera{s.view};
     const stage::closest_hit& look = all.back().who.closest;
     lantern::in_parallel(pane.y, 0, [&](std::size_t y) {
-        for (unsigned x = 0; x < pane.x; ++x) {
-            glm::vec3 color(0);
-            for (int k = 0; k < 4; ++k) {
-                const lantern::ray r = shoot(camera, (glm::vec2(x, y) + glm::vec2(k % 2, k / 2) * 0.5f + 0.25f) / glm::vec2(pane));
+        for (unsigned x = 0; x < pane.x; ++x)
+            page(corner(0).x + x, corner(0).y + unsigned(y)) = shown(camera, {x, unsigned(y)}, [&](const lantern::ray& r) {
                 lantern::probe ignored;
-                const auto h = look(r, ignored);
-                const float light = h ? std::abs(glm::dot(h->normal, glm::normalize(glm::vec3(-0.3f, 0.8f, 0.5f)))) : 0;
-                color += 0.25f * (h ? (0.12f + 0.75f * light) * glm::vec3(0.9f, 0.85f, 0.75f) : glm::vec3(0.03f, 0.05f, 0.09f));
-            }
-            page(corner(0).x + x, corner(0).y + unsigned(y)) = color;
-        }
+                return look(r, ignored);
+            });
     });
     for (std::uint32_t column = 1; column <= all.size(); ++column) {
         const standing& one = all[column - 1];
@@ -215,7 +227,7 @@ inline void paint_row(lantern::image& page, std::uint32_t row, const stage::scen
                 for (unsigned x = 0; x < pane.x + 6; ++x) page(from.x - 3 + x, from.y - 3 + y) = {0.05f, 0.75f, 0.1f};
         for (unsigned y = 0; y < pane.y; ++y)
             for (unsigned x = 0; x < pane.x; ++x)
-                page(from.x + x, from.y + y) = one.who.which == predicted && x + y < 14 ? glm::vec3(1) : heat(one.did.pixels[std::size_t(y) * pane.x + x].cost());
+                page(from.x + x, from.y + y) = one.who.which == predicted && is_corner({x, y}) ? glm::vec3(1) : heat(one.did.pixels[std::size_t(y) * pane.x + x].cost());
     }
 }
 
@@ -223,7 +235,7 @@ inline void paint_row(lantern::image& page, std::uint32_t row, const stage::scen
 template <class Report>
 lantern::image contest(support::gaps& missing, Report report) {
     const std::array<lab11::structure, 5> predicted = lab11::predictions();  // first of all
-    lantern::image page({8 + 5 * (pane.x + 6) - 6, 8 + 5 * (pane.y + 6) - 6}, glm::vec3(0.2f));
+    lantern::image page(page_of_the_contest, glm::vec3(0.2f));
     const std::vector<stage::scene> scenes = stage::scenes();
     for (std::uint32_t row = 0; row < scenes.size(); ++row) {
         std::vector<standing> all;

@@ -38,6 +38,7 @@ struct subject {
     std::function<glm::vec3(glm::uvec2 pixel, std::uint32_t i)> sample;                ///< of which that is the mean
     std::function<glm::vec3(glm::uvec2 pixel, std::uint32_t i, float light)> with_card{};  ///< the same, with a card that gives so much light
     support::world world{};
+    std::function<support::world(glm::uvec2 pixel)> world_at{};  ///< where the picture shows several
     std::function<std::string()> levels{};  ///< the boxes of a hierarchy, in JSON, where there is one
     std::function<void()> ready{};          ///< what has to be there first: built, measured
 };
@@ -83,16 +84,16 @@ glm::vec3 heard(recorder& to, const Look& look) {
 /// One sample: its rays, and what each of them is good for. That is found by experiment, so that it holds for whatever the student
 /// wrote: the sample is taken again with a black card in the ray's way, and what is missing then is what the ray brings; with a card
 /// that gives light 1, and how much more there is then is the ray's weight; and, where a shadow ray is stopped, with nothing in its way.
-inline std::string explained(const subject& s, glm::uvec2 pixel, std::uint32_t i, catalogue& figures, glm::vec3& color) {
+inline std::string explained(const subject& s, const world& w, glm::uvec2 pixel, std::uint32_t i, catalogue& figures, glm::vec3& color) {
     recorder first;
     color = heard(first, [&] { return s.sample(pixel, i); });
     std::vector<asked> rays = first.rays();
-    for (asked& a : rays) add_floor(a, s.world);
-    const std::vector<place> tree = tree_of(rays, s.world);
+    for (asked& a : rays) add_floor(a, w);
+    const std::vector<place> tree = tree_of(rays, w);
 
     const auto again = [&](recorder::trick trick, const lantern::ray& r, float light) {
         recorder other;
-        other.play(trick, r, s.world.floor ? 0x1p-20f : 1.0f);  // in front of the floor, too
+        other.play(trick, r, w.floor ? 0x1p-20f : 1.0f);  // in front of the floor, too
         return heard(other, [&] { return s.with_card ? s.with_card(pixel, i, light) : s.sample(pixel, i); });
     };
     std::vector<std::string> written;
@@ -104,7 +105,7 @@ inline std::string explained(const subject& s, glm::uvec2 pixel, std::uint32_t i
             {"direction", json::of(a.ray.direction)}, {"range", '[' + json::of(double(a.range.min)) + ',' + json::of(double(a.range.max)) + ']'}};
         if (a.time) ray.push_back({"time", json::of(double(*a.time))});
         ray.push_back({"tests", json::list(a.tests, [&](const surface_test& t) {
-            return '[' + std::to_string(figures.number_of(t.what)) + ',' + (t.t ? json::of(double(*t.t)) : "null") + ']';
+            return '[' + std::to_string(figures.number_of(t.what)) + ',' + (t.t ? json::of(double(*t.t)) : "null") + ',' + std::to_string(t.count) + ']';
         })});
         if (!a.boxes.empty())
             ray.push_back({"boxes", json::list(a.boxes, [](const box_test& b) {
@@ -143,16 +144,16 @@ inline std::string neighbours_of(const subject& s, glm::uvec2 pixel) {
 /// One pixel: all its samples; and whether it is the same when it is looked at again, as it should be.
 inline std::string pixel_of(const subject& s, glm::uvec2 pixel) {
     const glm::vec3 color = s.pixel(pixel);
-    catalogue figures(s.world);
+    const world w = s.world_at ? s.world_at(pixel) : s.world;
+    catalogue figures(w);
     lantern::accumulator sum;
     std::vector<std::string> samples;
     const std::uint32_t count = s.samples_at ? s.samples_at(pixel) : s.samples;
     for (std::uint32_t i = 0; i < count; ++i) {
         glm::vec3 one(0);
-        samples.push_back(explained(s, pixel, i, figures, one));
+        samples.push_back(explained(s, w, pixel, i, figures, one));
         sum.add(one);
     }
-    const world& w = s.world;
     return json::object({{"color", json::of(color)}, {"again", json::of(sum.mean())}, {"around", neighbours_of(s, pixel)}, {"eye", json::of(w.eye)}, {"beyond", json::of(w.beyond)},
                          {"samples", json::list(samples, [](const std::string& one) { return one; })}, {"surfaces", figures.write()},
                          {"floor", w.floor ? json::of(double(*w.floor)) : "null"},

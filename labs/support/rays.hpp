@@ -65,14 +65,14 @@ inline void add_floor(asked& a, const world& w) {
     return false;
 }
 
-/// A ray goes on from the hit that is nearest to where it starts; of several, from the last. On the side from which the ray before it
+/// What starts where the first ray does comes from the camera. Any other ray goes on from the hit that is nearest to where it starts; of several, from the last. On the side from which the ray before it
 /// came it is reflected, on the other one refracted.
 [[nodiscard]] inline std::vector<place> tree_of(const std::vector<asked>& rays, const world& w) {
     std::vector<place> all(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         place& here = all[i];
         here.why = "camera";
-        if (i == 0) continue;
+        if (rays[i].ray.origin == rays[0].ray.origin) continue;
         for (std::size_t k = 0; k < i; ++k) {
             if (!rays[k].met || all[k].why == "shadow") continue;
             const float gap = glm::distance(rays[i].ray.origin, rays[k].met->point);

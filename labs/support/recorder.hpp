@@ -48,6 +48,7 @@ struct box_test {
 struct surface_test {
     figure what;
     std::optional<float> t;
+    std::uint32_t count = 1;  ///< how many surfaces stand behind it: the triangles of a mesh
 };
 
 /// A ray, and what came of it.
@@ -115,14 +116,16 @@ public:
         ++count_.boxes;
         if (!only_counts_) rays_.back().boxes.push_back(b);
     }
+    /// A box of which nothing is known.
+    void box() { ++count_.boxes; }
 
     /// A surface was asked in the ray that has begun; nothing that is known of it has to be found again.
-    void test(const figure& f, const std::optional<lantern::hit>& h, lantern::interval range) {
+    void test(const figure& f, const std::optional<lantern::hit>& h, lantern::interval range, std::uint32_t surfaces = 1) {
         if (f.card && !h) return;
-        ++count_.tests;
+        count_.tests += surfaces;
         if (only_counts_) return;
         asked& ray = rays_.back();
-        ray.tests.push_back({f, h ? std::optional(h->t) : std::nullopt});
+        ray.tests.push_back({f, h ? std::optional(h->t) : std::nullopt, surfaces});
         if (h && contains(range, h->t) && (!ray.met || h->t < ray.met->t)) ray.met = h, ray.what = f;
     }
 

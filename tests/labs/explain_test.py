@@ -174,7 +174,7 @@ class Recorded(unittest.TestCase):
         for x, y in ((320, 100), (135, 101), (0, 0)):
             pixel = asked("lab06_solution_explain", "pixel", "lab06_3_row.png", str(x), str(y))
             self.assertEqual(data["rays"][748 * y + x], sum(len(sample["rays"]) for sample in pixel["samples"]))
-            self.assertEqual(data["tests"][748 * y + x], sum(len(ray["tests"]) for ray, _ in rays(pixel)))
+            self.assertEqual(data["tests"][748 * y + x], sum(count for ray, _ in rays(pixel) for _, _, count in ray["tests"]))
         self.assertEqual(min(data["rays"]), 25)
 
 
@@ -280,7 +280,7 @@ SPHERE = {"shape": {"kind": "sphere", "numbers": [0, 1, 0, 1, 0, 0, 0, 0, 0]}, "
 
 
 def ray(parent: int, why: str, **more) -> dict:
-    return {"parent": parent, "why": why, "gap": 0, "origin": [0, 1, 1], "direction": [0, 0, -1], "range": [0, None], "tests": [[0, None]],
+    return {"parent": parent, "why": why, "gap": 0, "origin": [0, 1, 1], "direction": [0, 0, -1], "range": [0, None], "tests": [[0, None, 1]],
             "brings": [0.1, 0.1, 0.1], **more}
 
 

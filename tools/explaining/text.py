@@ -72,7 +72,7 @@ def line(data: dict, ray: dict, rays: list[dict]) -> str:
         parts.append(f"brings {amount(ray['brings'])}")
     if "keeps" in ray:
         parts.append(f"keeps away {amount(ray['keeps'])}")
-    asked = len(ray["tests"])
+    asked = sum(count for _, _, count in ray["tests"])
     boxes = f"{len(ray['boxes'])} boxes and " if "boxes" in ray else ""
     parts.append(f"{boxes}{asked} surface{'s' if asked != 1 else ''} asked")
     if gap_matters(ray, rays):

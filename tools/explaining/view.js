@@ -99,8 +99,8 @@ function detail() {
   if (ray.brings) row(table, 'brings', amount(ray.brings) + ': so much would be missing without it');
   if (ray.keeps) row(table, 'keeps away', amount(ray.keeps) + ': so much more there would be, were nothing in its way');
   if (ray.parent >= 0 && ray.gap > 1e-5 * Math.max(length(ray.origin), 1)) row(table, 'starts', number(ray.gap) + ' from where the ray before it ended');
-  if (ray.boxes) row(table, 'boxes asked', ray.boxes.length + ': ' + ray.boxes.slice(0, 60).map(b => `${b.node}${b.t === null ? '' : ' at ' + number(b.t)}`).join(', ') + (ray.boxes.length > 60 ? ' …' : ''));
-  if (ray.tests.length) row(table, 'surfaces asked', ray.tests.length + ': ' + ray.tests.slice(0, 40).map(([s, t]) => data.surfaces[s].name + (t === null ? ', missed' : ', t = ' + number(t))).join('; ') + (ray.tests.length > 40 ? ' …' : ''));
+  if (ray.boxes) row(table, 'boxes asked', ray.boxes.length + ': ' + ray.boxes.slice(0, 60).map(b => `${b.node}${b.t === null ? ' missed' : ''}`).join(', ') + (ray.boxes.length > 60 ? ' …' : ''));
+  if (ray.tests.length) row(table, 'surfaces asked', ray.tests.reduce((sum, test) => sum + test[2], 0) + ': ' + ray.tests.slice(0, 40).map(([s, t]) => data.surfaces[s].name + (t === null ? ', missed' : ', t = ' + number(t))).join('; ') + (ray.tests.length > 40 ? ' …' : ''));
   detailAt.append(table);
 }
 
