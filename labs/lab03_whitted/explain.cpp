@@ -41,23 +41,32 @@ support::world world_of(const lab03::scene& s, glm::vec3 eye) {
 }
 
 /// What no ray meets, but for the one whose way it stands in.
-lab03::thing card(float light, glm::vec3 ambient) { return {told::sphere{{0, 0, 0}, 0}, lab03::matte{.body = light / ambient}}; }
+lab03::thing card_of(float light, glm::vec3 ambient) { return {told::sphere{{0, 0, 0}, 0}, lab03::matte{.body = light / ambient}}; }
 
 std::vector<support::subject> subjects() {
     support::gaps gaps;
     const auto plain = std::make_shared<const pictures::shade>(gaps);
     const auto camera = std::make_shared<const lantern::camera<>>(lab03::whitted_camera(pictures::size));
+    // While a step is missing, a test card lies in a corner.
+    const glm::uvec2 card = pictures::size / 5u;
+    const int step = gaps.next_step();
+    const auto on_card = [=](glm::uvec2 pixel) { return step > 0 && pixel.x < card.x && pixel.y < card.y; };
     const auto sample = [=](const pictures::shade& shade, glm::uvec2 pixel, std::uint32_t i) {
         return lantern::render_sample(pixel, pictures::size, *camera, pictures::samples, i, shade).color;
     };
     return {{.name = "lab03.png",
              .size = pictures::size,
              .samples = pictures::samples.count(),
-             .pixel = [=](glm::uvec2 pixel) { return lantern::render_pixel(pixel, pictures::size, *camera, pictures::samples, *plain).mean(); },
-             .sample = [=](glm::uvec2 pixel, std::uint32_t i) { return sample(*plain, pixel, i); },
+             .pixel = [=](glm::uvec2 pixel) {
+                 if (on_card(pixel)) return support::test_card((glm::vec2(pixel) + 0.5f) / glm::vec2(card), step);
+                 return lantern::render_pixel(pixel, pictures::size, *camera, pictures::samples, *plain).mean();
+             },
+             .sample = [=](glm::uvec2 pixel, std::uint32_t i) {
+                 return on_card(pixel) ? support::test_card((glm::vec2(pixel) + 0.5f) / glm::vec2(card), step) : sample(*plain, pixel, i);
+             },
              .with_card = [=](glm::uvec2 pixel, std::uint32_t i, float light) {
                  pictures::shade shade = *plain;
-                 shade.scene.things.push_back(card(light, shade.scene.ambient));
+                 shade.scene.things.push_back(card_of(light, shade.scene.ambient));
                  return sample(shade, pixel, i);
              },
              .world = world_of(plain->scene, {0, 2.2f, 6.5f})}};

@@ -47,7 +47,7 @@ std::optional<lantern::hit> intersect(const told_thing& s, const lantern::ray& r
 }
 
 support::world world_of(const pictures::whole_shelf& all) {
-    support::world w{.eye = -8.0f * pictures::forward, .beyond = "the paper"};
+    support::world w{.beyond = "the paper"};
     for (const shelf::thing& s : all.things()) {
         w.things.push_back({figure_of(s), "the " + s.name, std::to_string(s.triangles.size()) + " triangles", s.color});
         for (const shelf::triangle& t : s.triangles)
@@ -79,7 +79,11 @@ support::subject saved() {
             .sample = [=](glm::uvec2 at, std::uint32_t i) {
                 return is_gap(at) ? glm::vec3(1) : color(at, pictures::point_of(saved_size, side_at(at), saved_height, inside(at), i));
             },
-            .world = world_of(*all)};
+            .world_at = [=](glm::uvec2 at) {
+                support::world w = world_of(*all);
+                w.eye = pictures::eye_ray(pictures::point_of(saved_size, 1, saved_height, inside(at), 0)).origin;  // far away, and all rays parallel
+                return w;
+            }};
 }
 
 std::vector<support::subject> subjects() { return {saved()}; }

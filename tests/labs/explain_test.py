@@ -326,6 +326,13 @@ class Heat(unittest.TestCase):
         self.assertEqual(tuple(drawn[12:15]), heat.COLORS[-1])
         self.assertEqual(drawn[0:3], drawn[15:18])
 
+    def test_one_hot_pixel_leaves_the_others_apart(self):
+        one = heat.Map("rays", program.Picture("p", 100, 1), [1, 2] * 49 + [1, 1000])
+        self.assertTrue(one.steep)
+        self.assertGreater(one.part(2) - one.part(1), 0.05)
+        self.assertEqual((one.part(0), one.part(1000)), (0, 1))
+        self.assertAlmostEqual(one.part(one.value(0.3)), 0.3)
+
     def test_a_box_is_seen_where_it_is(self):
         view = {"eye": [0, 0, 5], "target": [0, 0, 0], "vertical_fov": 2 * 0.4636476090008061, "aspect": 1}  # tan = 1/2
         self.assertEqual([round(x, 6) for x in heat.projected([0, 0, 0], view, 100, 100)], [50, 50])

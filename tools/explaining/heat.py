@@ -2,6 +2,7 @@
 """What each pixel costs: false colours, a legend, where it is hottest; and the levels of a hierarchy."""
 
 import base64
+import functools
 import html
 import json
 import math
@@ -26,26 +27,39 @@ class Map:
     picture: Picture
     values: list[int]
 
-    @property
+    @functools.cached_property
     def mean(self) -> float:
         return sum(self.values) / len(self.values)
 
-    @property
+    @functools.cached_property
     def most(self) -> int:
         return max(self.values)
 
-    @property
+    @functools.cached_property
     def least(self) -> int:
         return min(self.values)
 
-    @property
+    @functools.cached_property
+    def steep(self) -> bool:
+        """Whether few pixels cost so much more than the rest that only logarithms show both."""
+        return self.most > 12 * self.mean
+
+    def part(self, value: float) -> float:
+        """Where a value is on the scale, from 0 to 1."""
+        if self.steep:
+            return math.log1p(value) / math.log1p(self.most)
+        return value / max(self.most, 1)
+
+    def value(self, part: float) -> float:
+        return math.expm1(part * math.log1p(self.most)) if self.steep else part * self.most
+
+    @functools.cached_property
     def where(self) -> tuple[int, int]:
         at = self.values.index(self.most)
         return at % self.picture.width, at // self.picture.width
 
     def drawn(self) -> pictures.Picture:
-        scale = max(self.most, 1)
-        table = {v: bytes(color(v / scale)) for v in set(self.values)}
+        table = {v: bytes(color(self.part(v))) for v in set(self.values)}
         return pictures.Picture(self.picture.width, self.picture.height, b"".join(table[v] for v in self.values))
 
 
@@ -162,9 +176,10 @@ def section(each: Map) -> str:
     picture = base64.b64encode(pictures.png(each.drawn())).decode()
     stops = ",".join(f"rgb{c}" for c in COLORS)
     x, y = each.where
-    ticks = "".join(f"<span>{text.number(each.most * k / 4)}</span>" for k in range(5))
+    ticks = "".join(f"<span>{text.number(each.value(k / 4))}</span>" for k in range(5))
+    scale = " The scale is logarithmic." if each.steep else ""
     return (f'<section><h2>{WORDS[each.name].capitalize()}</h2><div class="heat" data-name="{each.name}"><img alt="{WORDS[each.name]}, pixel by pixel" '
             f'src="data:image/png;base64,{picture}"><i class="hottest" style="left: {100 * (x + .5) / each.picture.width:.2f}%; '
             f'top: {100 * (y + .5) / each.picture.height:.2f}%" title="the most"></i></div>'
             f'<div class="scale" style="background: linear-gradient(to right, {stops})"></div><div class="ticks">{ticks}</div>'
-            f'<p class="faint">mean {each.mean:.1f}, most {each.most} at {x},{y} (the ring). <output></output></p></section>')
+            f'<p class="faint">mean {each.mean:.1f}, most {each.most} at {x},{y} (the ring).{scale} <output></output></p></section>')

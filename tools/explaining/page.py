@@ -44,10 +44,12 @@ def head(data: dict, title: str, lab: Lab) -> str:
     lines = text.heading(data, title)
     warning = f'<p class="bad">{html.escape(" ".join(lines[2:]))}</p>' if len(lines) > 1 else ""
     around = f'<img alt="the pixel among its neighbours" src="data:image/png;base64,{neighbours(data["around"])}">' if data.get("around") else ""
+    more = any(ray["why"] != "camera" for sample in data["samples"] for ray in sample["rays"])
+    words = ("A ray's weight says how much of what it sees goes into the sample; what it brings is what would be missing if a black card were held in its way. "
+             "Both were measured: the sample was taken again, with a card in that ray's way." if more else
+             "They all come from the camera, and what each of them sees is the sample.")
     return (f'<div class="top">{around}<div><p><span class="swatch" style="background: {text.screen(data["color"])}"></span> {html.escape(lines[0])}</p>{warning}'
-            f'<p class="faint">Every ray that the code of lab {lab.number} ({html.escape(lab.title)}) sends for this pixel. A ray\'s weight says how much of what it sees '
-            f'goes into the sample; what it brings is what would be missing if a black card were held in its way. Both were measured: the sample was taken again, with '
-            f'a card in that ray\'s way.</p></div></div>')
+            f'<p class="faint">Every ray that the code of lab {lab.number} ({html.escape(lab.title)}) sends for this pixel. {html.escape(words)}</p></div></div>')
 
 
 def neighbours(around: dict) -> str:

@@ -110,7 +110,7 @@ def census(data: dict) -> str:
         for ray in sample["rays"]:
             kinds[ray["why"]] = kinds.get(ray["why"], 0) + 1
     total = sum(kinds.values())
-    return f"{total} rays: " + ", ".join(f"{count} {why}" for why, count in kinds.items()) if total else "no rays"
+    return f"{total} ray{'s' if total != 1 else ''}: " + ", ".join(f"{count} {why}" for why, count in kinds.items()) if total else "no rays"
 
 
 def same_again(data: dict) -> bool:
@@ -123,7 +123,7 @@ def heading(data: dict, title: str) -> list[str]:
     lines = [f"{title}: {mean}{triple(data['color'])}, on the screen {screen(data['color'])}; {census(data)}"]
     if not same_again(data):
         lines += ["", f"Taken again, the same pixel is {triple(data['again'])}: your code remembers something from call to call (a static variable? rand()?).",
-                  "A pixel depends on what the function is given, and on nothing else."]
+                  "A pixel depends on what the function is given, and on nothing else; until it does, the weights below say nothing."]
     return lines
 
 

@@ -118,12 +118,13 @@ function measure() {
     if (ray.why !== 'camera') points.push(ray.origin);
     if (ray.met) points.push(ray.met.point);
   }
-  for (const s of data.surfaces) if ((s.shape.kind === 'sphere' || s.shape.kind === 'moving') && Math.abs(s.shape.numbers[3]) < 50) points.push(s.shape.numbers.slice(0, 3));
+  const met = data.samples.some(sample => sample.rays.some(ray => ray.met));
+  for (const s of data.surfaces) if (!met || (s.shape.kind === 'sphere' || s.shape.kind === 'moving') && Math.abs(s.shape.numbers[3]) < 50) points.push(s.shape.numbers.slice(0, 3));
   if (!points.length) points.push(data.eye, add(data.eye, rays()[0] ? rays()[0].direction : [0, 0, -1]));
   const middle = k => { const all = points.map(p => p[k]).sort((a, b) => a - b); return (all[Math.floor(all.length * .05)] + all[Math.ceil(all.length * .95) - 1]) / 2; };
   scene.center = [middle(0), middle(1), middle(2)];
   const reach = points.map(p => length(sub(p, scene.center))).sort((a, b) => a - b);
-  scene.radius = Math.max(1.15 * reach[Math.floor((reach.length - 1) * .9)], 1e-3);
+  scene.radius = Math.max(1.15 * reach[Math.floor((reach.length - 1) * .9)], .2 * length(sub(data.eye, scene.center)), 1e-30);
 }
 function home() {
   const way = unit(sub(data.eye, scene.center));
