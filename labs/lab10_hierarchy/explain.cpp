@@ -45,8 +45,8 @@ struct told : stage::count {
     const grown& in;
     support::recorder* to = support::recorder::listener();
 
-    told(const grown& g, const lantern::ray& r) : in(g) {
-        if (to) to->begin(r, {});
+    told(const grown& g, const lantern::ray& r, lantern::interval range = {}) : in(g) {
+        if (to) to->begin(r, range);
     }
     void question(std::uint32_t at, const std::optional<float>& entered) {
         count::question(at, entered);
@@ -67,6 +67,37 @@ pictures::search telling(const std::shared_ptr<const grown>& in) {
         return h;
     };
 }
+
+/// Whether a shadow ray is stopped, by the student's search.
+auto telling_dark(const std::shared_ptr<const grown>& in) {
+    return [in](const lab10::tree& t, const stage::balls& all, const lantern::ray& r, stage::count& asked) {
+        using trick = support::recorder::trick;
+        const support::recorder* const to = support::recorder::listener();
+        if (to && to->trick_on(r) != trick::none) return to->trick_on(r) == trick::card;
+        told heard(*in, r, {0, 1});
+        const bool found = stage::dark(t, all, r, heard);
+        asked = heard;
+        return found;
+    };
+}
+using dark = decltype(telling_dark({}));
+
+/// The library finds what the eye sees, and tells nobody on the way; what it finds is told here.
+template <class Lit>
+struct announced {
+    Lit lit;
+
+    glm::vec3 operator()(const lantern::ray& r, const auto&...) const {
+        if (support::recorder* const to = support::recorder::listener()) {
+            to->begin(r, {});
+            if (const auto h = lantern::closest(lit.own, lit.all, r)) {
+                const lantern::sphere& ball = lit.all[h->index];
+                to->test(support::ball_at(ball.center, ball.radius), lantern::hit(*h), {});
+            }
+        }
+        return lit(r);
+    }
+};
 
 support::world world_of(const stage::balls& all) {
     support::world w{.eye = {1, 2.6f, 8.6f}};
@@ -114,32 +145,60 @@ support::subject own_tree() {
     return one;
 }
 
-/// Three panels, and a scale below them. The tree is the library's, the traversal the student's.
+/// Panels beside each other, and a scale below them. A panel without samples is all of one colour.
+support::subject page_of(std::string name, const std::vector<support::subject>& panels) {
+    const glm::uvec2 one = panels[0].size, page{std::uint32_t(panels.size()) * (one.x + 2) - 2, one.y + 36};
+    const auto scale = std::make_shared<const lantern::image>(pictures::scale(page.x));
+    const auto inside = [=](glm::uvec2 at) { return glm::uvec2(at.x % (one.x + 2), at.y); };
+    const auto panel = [=](glm::uvec2 at) { return at.y < one.y && inside(at).x < one.x ? &panels[at.x / (one.x + 2)] : nullptr; };
+    const auto drawn = [=](glm::uvec2 at) { return at.y < one.y ? glm::vec3(1) : (*scale)(at.x, at.y - one.y); };
+    return {.name = std::move(name),
+            .size = page,
+            .samples = panels[0].samples,
+            .samples_at = [=](glm::uvec2 at) { return panel(at) ? panel(at)->samples : 1; },
+            .pixel = [=](glm::uvec2 at) { return panel(at) ? panel(at)->pixel(inside(at)) : drawn(at); },
+            .sample = [=](glm::uvec2 at, std::uint32_t i) { return panel(at) ? panel(at)->sample(inside(at), i) : drawn(at); },
+            .world = panels[0].world,
+            .levels = panels[0].levels};
+}
+
+/// The tree is the library's, the traversal the student's. In the middle what it costs without a tree: no ray is sent for that.
 support::subject cost_map() {
     const auto in = std::make_shared<grown>();
     in->plant(stage::library_tree(in->all, lantern::split::surface_area));
-    const support::subject seen = panel<pictures::flake_found>("", in, pictures::found_samples), hot = panel<pictures::flake_asked>("", in, pictures::heat_samples);
-    const glm::uvec2 page{3 * (size.x + 2) - 2, size.y + 36};
-    const auto scale = std::make_shared<const lantern::image>(pictures::scale(page.x));
-    const auto look = [=](glm::uvec2 at, const auto& ask) {
-        if (at.y >= size.y) return (*scale)(at.x, at.y - size.y);
-        const glm::uvec2 inside{at.x % (size.x + 2), at.y};
-        if (inside.x >= size.x) return glm::vec3(1);
-        const std::uint32_t which = at.x / (size.x + 2);
-        return which == 1 ? pictures::heat(float(in->all.size())) : ask(which == 0 ? seen : hot, inside);
-    };
-    const auto is_panel = [](glm::uvec2 at, std::uint32_t which) { return at.y < size.y && at.x / (size.x + 2) == which && at.x % (size.x + 2) < size.x; };
-    return {.name = "lab10_6_cost.png",
-            .size = page,
-            .samples = seen.samples,
-            .samples_at = [=](glm::uvec2 at) { return is_panel(at, 0) ? seen.samples : is_panel(at, 2) ? hot.samples : 1; },
-            .pixel = [=](glm::uvec2 at) { return look(at, [](const support::subject& s, glm::uvec2 p) { return s.pixel(p); }); },
-            .sample = [=](glm::uvec2 at, std::uint32_t i) { return look(at, [i](const support::subject& s, glm::uvec2 p) { return s.sample(p, i); }); },
-            .world = seen.world,
-            .levels = seen.levels};
+    const glm::vec3 brute_force = pictures::heat(float(in->all.size()));
+    const support::subject middle{.size = size, .samples = 1, .pixel = [=](glm::uvec2) { return brute_force; }, .sample = [=](glm::uvec2, std::uint32_t) { return brute_force; }};
+    return page_of("lab10_6_cost.png", {panel<pictures::flake_found>("", in, pictures::found_samples), middle, panel<pictures::flake_asked>("", in, pictures::heat_samples)});
 }
 
-std::vector<support::subject> subjects() { return {own_tree(), cost_map()}; }
+/// A panel of the picture with shadows, and of what they cost.
+template <class Lit>
+support::subject lit_panel(const std::shared_ptr<const grown>& in, const lantern::multi_jittered& samples) {
+    const glm::uvec2 half{359, 280};
+    const auto own = std::make_shared<const lantern::bvh<>>(in->all);
+    const auto camera = std::make_shared<const lantern::camera<>>(stage::camera(half));
+    const auto shade = [=] { return announced<Lit>{Lit{pictures::flake_lit<dark>{*own, in->tree, in->all, telling_dark(in)}}}; };
+    support::world w = world_of(in->all);
+    w.floor = stage::floor_height;
+    w.floor_ends = 60;
+    w.lamps.push_back({support::ball_at(stage::lamp, 0), "the lamp"});
+    w.things.push_back({support::level_at(stage::floor_height), "the floor", "", glm::vec3(0.45f)});
+    return {.size = half,
+            .samples = samples.count(),
+            .pixel = [=](glm::uvec2 at) { return lantern::render_pixel(at, half, *camera, samples, shade()).mean(); },
+            .sample = [=](glm::uvec2 at, std::uint32_t i) { return lantern::render_sample(at, half, *camera, samples, i, shade()).color; },
+            .world = std::move(w),
+            .levels = [=] { return levels_of(*in); }};
+}
+
+support::subject shadows() {
+    const auto in = std::make_shared<grown>();
+    in->plant(stage::library_tree(in->all, lantern::split::surface_area));
+    return page_of("lab10_7_shadows.png", {lit_panel<pictures::flake_lit<dark>>(in, pictures::found_samples),
+                                           lit_panel<pictures::flake_lit_asked<dark>>(in, pictures::heat_samples)});
+}
+
+std::vector<support::subject> subjects() { return {own_tree(), cost_map(), shadows()}; }
 
 }  // namespace
 

@@ -288,29 +288,47 @@ inline std::vector<curve> growth(unsigned depths) {
     return curves;
 }
 
-/// The flake with shadows, as a search finds them; and what the shadow rays ask. dark(tree, balls, ray, count) is that search.
+/// The flake with shadows, as a search finds them: dark(tree, balls, ray, count). What the eye sees is the library's affair.
+template <class Dark>
+struct flake_lit {
+    const lantern::bvh<>& own;
+    const lab10::tree& t;
+    const balls& all;
+    Dark dark;
+
+    /// with(hit, colour, ray to the lamp) is called for what the pixel's ray meets, and sky(ray) when it meets nothing.
+    glm::vec3 seen(const lantern::ray& r, auto&& sky, auto&& with) const {
+        if (const auto h = lantern::closest(own, all, r)) return with(lantern::hit(*h), color_of_part(h->index, 91));
+        if (const auto h = stage::on_floor(r, stage::floor_height)) return with(*h, glm::vec3(0.45f));
+        return sky(r);
+    }
+    glm::vec3 operator()(const lantern::ray& r, const auto&...) const {
+        return seen(r, stage::sky, [&](const lantern::hit& h, glm::vec3 color) {
+            stage::count asked;
+            return stage::lit(h, color, dark(t, all, stage::to_lamp(h), asked));
+        });
+    }
+};
+
+/// What the shadow rays ask for that, as heat.
+template <class Dark>
+struct flake_lit_asked : flake_lit<Dark> {
+    glm::vec3 operator()(const lantern::ray& r, const auto&...) const {
+        return this->seen(r, [](const lantern::ray&) { return glm::vec3(0.05f); }, [&](const lantern::hit& h, glm::vec3) {
+            stage::count asked;
+            (void)this->dark(this->t, this->all, stage::to_lamp(h), asked);
+            return heat(asked.total());
+        });
+    }
+};
+
 template <class Dark>
 std::vector<lantern::image> in_the_light(glm::uvec2 size, Dark dark) {
     const balls all = stage::flake(3);
     const lantern::bvh<> own(all);
     const lab10::tree t = stage::library_tree(all, lantern::split::surface_area);
-    // with(hit, colour) is called for what the pixel's ray meets, and sky(ray) when it meets nothing.
-    const auto render = [&](std::uint32_t side, auto&& sky, auto&& with) {
-        return lantern::render(size, stage::camera(size), lantern::multi_jittered{.side = side}, [&](const lantern::ray& r, const auto&) {
-            if (const auto h = lantern::closest(own, all, r)) return with(lantern::hit(*h), color_of_part(h->index, 91));
-            if (const auto h = stage::on_floor(r, stage::floor_height)) return with(*h, glm::vec3(0.45f));
-            return sky(r);
-        });
-    };
-    return {render(3, stage::sky, [&](const lantern::hit& h, glm::vec3 color) {
-                stage::count asked;
-                return stage::lit(h, color, dark(t, all, stage::to_lamp(h), asked));
-            }),
-            render(2, [](const lantern::ray&) { return glm::vec3(0.05f); }, [&](const lantern::hit& h, glm::vec3) {
-                stage::count asked;
-                (void)dark(t, all, stage::to_lamp(h), asked);
-                return heat(asked.total());
-            })};
+    const flake_lit<Dark> lit{own, t, all, dark};
+    return {lantern::render(size, stage::camera(size), found_samples, lit), lantern::render(size, stage::camera(size), heat_samples, flake_lit_asked<Dark>{lit})};
 }
 inline lantern::image shadows(glm::uvec2 size) { return with_scale(table(in_the_light(size, stage::dark<stage::count>), 2)); }
 

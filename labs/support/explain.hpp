@@ -30,7 +30,7 @@ namespace support {
 
 /// A picture whose pixels can be explained.
 struct subject {
-    std::string name;  ///< as the lab's program calls the file
+    std::string name{};  ///< as the lab's program calls the file
     glm::uvec2 size{0};
     std::uint32_t samples = 1;
     std::function<std::uint32_t(glm::uvec2 pixel)> samples_at{};                       ///< where not all pixels have as many

@@ -168,6 +168,23 @@ class Recorded(unittest.TestCase):
         self.assertEqual(sum(node["count"] for node in levels["nodes"]), 820)
         self.assertEqual(max(node["depth"] for node in levels["nodes"]) + 1, len(heat.levels(levels)))
 
+    def test_shadow_rays_through_a_tree_are_heard(self):
+        data = asked("lab10_solution_explain", "pixel", "lab10_7_shadows.png", "150", "200")
+        fates = set()
+        for ray, parent in rays(data):
+            if parent is None:
+                continue
+            self.assertEqual(ray["why"], "shadow")
+            self.near([o + d for o, d in zip(ray["origin"], ray["direction"])], data["lamps"][0]["shape"]["numbers"][:3], 1e-5)
+            self.assertGreater(len(ray["boxes"]), 0)
+            fates.add("met" in ray)
+            if "met" in ray:
+                self.near(ray["brings"], [0, 0, 0], 0)
+                self.assertGreaterEqual(max(ray["keeps"]), 0)
+            else:
+                self.assertGreater(max(ray["brings"]), 0.05)
+        self.assertIn(False, fates)
+
     def test_heat_counts_the_rays_that_are_explained(self):
         data = asked("lab06_solution_explain", "heat", "lab06_3_row.png")
         self.assertEqual(len(data["rays"]), 748 * 220)

@@ -42,7 +42,7 @@ class Map:
     @functools.cached_property
     def steep(self) -> bool:
         """Whether few pixels cost so much more than the rest that only logarithms show both."""
-        return self.most > 12 * self.mean
+        return self.most > 20 * self.mean
 
     def part(self, value: float) -> float:
         """Where a value is on the scale, from 0 to 1."""
