@@ -320,6 +320,19 @@ class Words(unittest.TestCase):
     def test_a_ray_that_starts_off_its_surface_is_told(self):
         self.assertIn("starts 0.01 from where the ray before it ended", "\n".join(text.tree(by_hand(), by_hand()["samples"][0])))
 
+    def test_what_brings_next_to_nothing_is_folded(self):
+        data = by_hand()
+        rays_there = data["samples"][0]["rays"]
+        met = rays_there[0]["met"]
+        rays_there[2]["met"] = met
+        rays_there += [ray(2, "reflected"), ray(2, "refracted", met=met), ray(5, "refracted")]
+        self.assertEqual(len(text.tree(data, data["samples"][0], whole=False)), 7)
+        rays_there[2]["brings"] = [9e-5, 0, 0]
+        folded = text.tree(data, data["samples"][0], whole=False)
+        self.assertEqual(len(folded), 5)
+        self.assertIn("3 rays, which bring no more", folded[3])
+        self.assertEqual(len(text.tree(data, data["samples"][0])), 7)
+
     def test_code_that_remembers_is_told(self):
         data = {**by_hand(), "again": [0.2, 0.3, 0.5]}
         self.assertIn("remembers something", text.told(data, "title", None))

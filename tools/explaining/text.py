@@ -89,12 +89,21 @@ def children(rays: list[dict], parent: int) -> list[int]:
     return sorted((i for i, ray in enumerate(rays) if ray["parent"] == parent), key=lambda i: (ORDER.get(rays[i]["why"], 0), i))
 
 
-def tree(data: dict, sample: dict) -> list[str]:
+def behind(rays: list[dict], i: int) -> int:
+    """How many rays go on from this one, and from those."""
+    return sum(1 + behind(rays, child) for child in children(rays, i))
+
+
+def tree(data: dict, sample: dict, whole: bool = True) -> list[str]:
+    """All rays; or, when not the whole is wanted, none behind one that brings less than a ten-thousandth."""
     rays, lines = sample["rays"], []
 
     def draw(i: int, first: str, rest: str) -> None:
         lines.append(first + line(data, rays[i], rays))
         below = children(rays, i)
+        if not whole and len(below) > 1 and rays[i]["parent"] >= 0 and all(abs(x or 0) < 1e-4 for x in rays[i].get("brings", [1])):
+            lines.append(rest + f"└─ ... {behind(rays, i)} rays, which bring no more than that together")
+            return
         for k, child in enumerate(below):
             last = k + 1 == len(below)
             draw(child, rest + ("└─ " if last else "├─ "), rest + ("   " if last else "│  "))
@@ -134,7 +143,7 @@ def told(data: dict, title: str, only: int | None) -> str:
     for i, sample in enumerate(samples):
         if only is not None and i != only:
             continue
-        rows = tree(data, sample)
+        rows = tree(data, sample, whole=only is not None)
         if only is None and shown > 0 and len(lines) + len(rows) > LINES:
             break
         lines += ["", f"sample {i + 1} of {len(samples)}: {triple(sample['color'])}"] if len(samples) > 1 else [""]
