@@ -83,8 +83,8 @@ inline void add_floor(asked& a, const world& w) {
         } else if (here.parent >= 0) {
             const asked& before = rays[std::size_t(here.parent)];
             const glm::vec3 n = before.met->normal;
-            const bool same_side = glm::dot(before.ray.direction, n) * glm::dot(rays[i].ray.direction, n) <= 0;
-            here.why = !same_side ? "refracted" : w.matt ? "bounced" : "reflected";
+            const bool other_side = glm::dot(before.ray.direction, n) * glm::dot(rays[i].ray.direction, n) > 0;
+            here.why = other_side ? "refracted" : w.matt ? "bounced" : "reflected";
         }
     }
     return all;

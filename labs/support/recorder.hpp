@@ -154,7 +154,11 @@ public:
     }
 
 private:
-    static bool same(const lantern::ray& a, const lantern::ray& b) { return a.origin == b.origin && a.direction == b.direction; }
+    static bool same(glm::vec3 a, glm::vec3 b) {
+        const auto equal = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+        return equal(a.x, b.x) && equal(a.y, b.y) && equal(a.z, b.z);
+    }
+    static bool same(const lantern::ray& a, const lantern::ray& b) { return same(a.origin, b.origin) && same(a.direction, b.direction); }
 
     lantern::hit on_card(const lantern::ray& r, lantern::interval range) {
         const float t = std::isfinite(range.max) ? 0.5f * (range.min + range.max) : range.min + card_t_;

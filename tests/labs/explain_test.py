@@ -333,6 +333,16 @@ class Words(unittest.TestCase):
         self.assertIn("3 rays, which bring no more", folded[3])
         self.assertEqual(len(text.tree(data, data["samples"][0])), 7)
 
+    def test_what_is_not_a_number_is_told(self):
+        data = by_hand()
+        data["samples"][0]["rays"][1].update(direction=[None, 0, None], gap=None, brings=[None, None, None])
+        data["samples"][0]["color"] = [None, 0.1, 0.2]
+        lines = text.tree(text.mend(data), data["samples"][0])
+        self.assertIn("its origin or direction is not a number", lines[3])
+        self.assertIn("brings not finite", lines[3])
+        self.assertIn("(not finite, 0.1, 0.2)", text.told({**data, "samples": data["samples"] * 2}, "title", None))
+        page.made(data, "title", labs.find("03"), None)
+
     def test_code_that_remembers_is_told(self):
         data = {**by_hand(), "again": [0.2, 0.3, 0.5]}
         self.assertIn("remembers something", text.told(data, "title", None))

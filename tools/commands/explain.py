@@ -27,7 +27,7 @@ def run(arguments: list[str]) -> int:
         explainer = program.Explainer(lab, wish.solution)
         picture = explainer.picture(wish.picture)
         x, y = program.pixel(wish.pixel, picture)
-        data = explainer.ask("pixel", picture.name, str(x), str(y))
+        data = text.mend(explainer.ask("pixel", picture.name, str(x), str(y)))
     except student.NotYet as problem:
         print(problem, file=sys.stderr)
         return 1

@@ -6,9 +6,21 @@ from explaining.program import srgb
 LINES = 48  # so many are printed when no sample is asked for
 
 
+def mend(data: dict) -> dict:
+    """Where a ray's place or direction is not finite (null, in JSON) it is drawn at 0, and the ray is marked as broken."""
+    for sample in data["samples"]:
+        for ray in sample["rays"]:
+            for holder, name in ((ray, "origin"), (ray, "direction"), (ray.get("met", {}), "point"), (ray.get("met", {}), "normal")):
+                if None in holder.get(name, []):
+                    holder[name] = [x or 0 for x in holder[name]]
+                    ray["broken"] = True
+            ray["gap"] = ray["gap"] or 0
+    return data
+
+
 def number(x: float | None) -> str:
     if x is None:
-        return "∞"
+        return "not finite"
     return f"{x:.0f}" if 1000 <= abs(x) < 1e7 else f"{x:.3g}"
 
 
@@ -18,7 +30,7 @@ def triple(v: list[float]) -> str:
 
 def amount(v: list[float]) -> str:
     """Three numbers, or one where they are the same. What is below a millionth is the rounding of what it was measured by."""
-    if all(abs(x or 0) < 1e-6 for x in v):
+    if None not in v and all(abs(x) < 1e-6 for x in v):
         return "≈ 0" if any(v) else "0"
     texts = [number(x) for x in v]
     return texts[0] if len(set(texts)) == 1 else triple(v)
@@ -64,6 +76,8 @@ def fate(data: dict, ray: dict) -> str:
 
 def line(data: dict, ray: dict, rays: list[dict]) -> str:
     parts = [f"{ray['why']} ray " + fate(data, ray)]
+    if ray.get("broken"):
+        parts.append("its origin or direction is not a number")
     if "time" in ray:
         parts.append(f"time {number(ray['time'])}")
     if "weight" in ray and ray["why"] != "camera":

@@ -18,8 +18,8 @@ const unit = a => { const l = length(a); return l > 0 ? mul(1 / l, a) : [0, 0, 1
 
 // ---- words ----
 const number = x => x === null || x === undefined ? '∞' : Math.abs(x) >= 1000 ? x.toFixed(0) : Math.abs(x) >= 1e-4 || x === 0 ? String(+x.toPrecision(3)) : x.toExponential(2);
-const triple = v => '(' + v.map(number).join(', ') + ')';
-const amount = v => v.every(x => Math.abs(x) < 1e-6) ? (v.some(x => x) ? '≈ 0' : '0') : new Set(v.map(number)).size === 1 ? number(v[0]) : triple(v);
+const triple = v => '(' + v.map(x => x === null ? 'not finite' : number(x)).join(', ') + ')';
+const amount = v => !v.includes(null) && v.every(x => Math.abs(x) < 1e-6) ? (v.some(x => x) ? '≈ 0' : '0') : new Set(v.map(number)).size === 1 && v[0] !== null ? number(v[0]) : triple(v);
 const encoded = x => { x = Math.min(Math.max(x || 0, 0), 1); return Math.floor(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.pow(x, 1 / 2.4) - 0.055) + 0.5); };
 const css = (v, alpha = 1) => `rgba(${encoded(v[0])},${encoded(v[1])},${encoded(v[2])},${alpha})`;
 const surface = i => { const s = data.surfaces[i]; return s.name + (s.material ? ` (${s.material})` : ''); };
@@ -90,6 +90,7 @@ function detail() {
   }
   const ray = rays()[i], table = document.createElement('table');
   row(table, 'this', ray.why + ' ray: ' + fate(ray));
+  if (ray.broken) row(table, 'broken', 'its origin or direction is not a number; it is drawn at 0');
   row(table, 'from', triple(ray.origin));
   row(table, 'direction', triple(ray.direction) + ', of length ' + number(length(ray.direction)));
   row(table, 'range of t', number(ray.range[0]) + ' to ' + number(ray.range[1]));
