@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,7 @@ std::vector<Named> wished(std::vector<Named> all, const std::vector<std::string>
 
 std::vector<trace::row> measure(const options& wish) {
     std::vector<trace::scene<lantern::mesh>> meshes = trace::made_scenes();
+    if (!wish.scenes.empty()) std::ranges::move(trace::other_scenes(), std::back_inserter(meshes));
     if (!wish.models.empty()) meshes.insert(meshes.begin(), trace::dragon(wish.models));
 #if defined(LANTERN_HAS_OBJ)
     if (!wish.obj.empty()) meshes = {{wish.obj, [&](std::uint32_t) { return lantern::read_obj(wish.obj); }}};

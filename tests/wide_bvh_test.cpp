@@ -81,20 +81,8 @@ ray adversarial(dice& d, const mesh& m, float size, glm::vec3 at) {
     }
 }
 
-mesh together(const mesh& a, const mesh& b) {
-    std::vector<glm::vec3> vertices(a.vertices().begin(), a.vertices().end());
-    std::vector<glm::uvec3> triangles(a.triangles().begin(), a.triangles().end());
-    const auto first = static_cast<std::uint32_t>(vertices.size());
-    vertices.insert(vertices.end(), b.vertices().begin(), b.vertices().end());
-    for (const glm::uvec3& t : b.triangles()) triangles.push_back(t + first);
-    return mesh(vertices, triangles);
-}
-
-/// Small triangles, and a few needles among them that get cut up.
-mesh hall(std::uint32_t count) { return together(meshes::soup(count, 2 / std::cbrt(double(count))), meshes::slivers(count / 100)); }
-
 std::vector<mesh> families() {
-    return {meshes::sphere(8, 0.2f), meshes::terrain(20), meshes::slivers(400), meshes::soup(500, 0.1), meshes::sphere(9), hall(800)};
+    return {meshes::sphere(8, 0.2f), meshes::terrain(20), meshes::slivers(400), meshes::soup(500, 0.1), meshes::sphere(9), meshes::hall(800)};
 }
 
 }  // namespace
@@ -142,7 +130,7 @@ TEST_CASE("at any scale, and far from the origin") {
 
 TEST_CASE("needles that were cut up are hit where they were, at any scale and far from the origin") {
     dice d{.state = 12};
-    const mesh original = hall(600);
+    const mesh original = meshes::hall(600);
     for (const float scale : {1e-30f, 1e-6f, 1.0f, 1e6f, 1e17f})
         for (const float away : {0.0f, 3.0f, 1000.0f}) {
             if (scale * away > 1e18f) continue;
@@ -388,7 +376,7 @@ TEST_CASE("needles cost no more than their share: few are cut up, many are put b
         return std::pair(double(counter.nodes) / 500, double(tree.bytes()) / double(m.size()));
     };
     const auto [soup_nodes, soup_bytes] = nodes_and_bytes(meshes::soup(20'000, 2 / std::cbrt(20'000.0)));
-    const auto [hall_nodes, hall_bytes] = nodes_and_bytes(hall(20'000));
+    const auto [hall_nodes, hall_bytes] = nodes_and_bytes(meshes::hall(20'000));
     CHECK(hall_nodes < 1.8 * soup_nodes);  // 3.6 times as many, if they are not cut
     CHECK(hall_bytes < 70);
     CHECK(soup_bytes < 50);

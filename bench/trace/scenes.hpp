@@ -87,6 +87,11 @@ inline std::vector<scene<mesh>> made_scenes() {
     };
 }
 
+/// Those that are traced if they are asked for by name.
+inline std::vector<scene<mesh>> other_scenes() {
+    return {{"hall", [](std::uint32_t n) { return meshes::hall(n); }, {0, 0.5f, 3}, {0, 0, 0}}};
+}
+
 /// The Stanford dragon: of its four sizes in the folder, the one nearest to what is wished.
 inline scene<mesh> dragon(const std::string& folder) {
     const auto read = [folder](std::uint32_t n) {

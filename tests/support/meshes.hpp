@@ -106,6 +106,17 @@ inline mesh soup(std::uint32_t count, double size) {
     return mesh(vertices, triangles);
 }
 
+/// `count` small triangles anywhere in the cube, and a needle for each hundred of them: as beams among what stands in a hall.
+inline mesh hall(std::uint32_t count) {
+    const mesh small = soup(count, 2 / std::cbrt(double(count))), thin = slivers(count / 100);
+    std::vector<glm::vec3> vertices(small.vertices().begin(), small.vertices().end());
+    std::vector<glm::uvec3> triangles(small.triangles().begin(), small.triangles().end());
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), thin.vertices().begin(), thin.vertices().end());
+    for (const glm::uvec3& t : thin.triangles()) triangles.push_back(t + first);
+    return mesh(vertices, triangles);
+}
+
 /// The same triangles, elsewhere and of another size.
 inline mesh placed(const mesh& m, float scale, glm::vec3 by = glm::vec3(0)) {
     std::vector<glm::vec3> vertices;
