@@ -10,6 +10,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import unittest.mock
 import zlib
@@ -140,6 +141,25 @@ class Steps(unittest.TestCase):
         self.assertIn("did not finish in 2 s", first.trouble)
         self.assertEqual(first.failures[0].name, "slow")
 
+    @unittest.skipUnless(pathlib.Path("/proc/self/stat").exists(), "needs /proc")
+    def test_a_machine_that_is_busy_elsewhere_is_no_endless_loop(self):
+        # Stopped for three seconds, as others' work may do it: that is not the program's time.
+        body = ("import subprocess\nsubprocess.Popen(['sh', '-c', f'sleep 3; kill -CONT {os.getpid()}'])\nos.kill(os.getpid(), 19)\n"
+                f"write({report(PASSED)!r})")
+        self.assertEqual([step.trouble for step in self.judge(body, 2)], ["", ""])
+        sleeper = subprocess.Popen(["sleep", "60"])
+        try:
+            time.sleep(1)
+            self.assertFalse(verdict.starved(sleeper.pid, 100))
+            sleeper.send_signal(19)
+            time.sleep(0.5)
+            self.assertTrue(verdict.starved(sleeper.pid, 100))
+            self.assertFalse(verdict.starved(sleeper.pid, 0))
+        finally:
+            sleeper.kill()
+            sleeper.wait()
+        self.assertFalse(verdict.starved(sleeper.pid, 100))
+
     def test_a_crash_fails_one_test_and_the_others_are_run_again(self):
         body = (f"if 'dead' in selection:\n    write({report(PASSED)!r})\nelse:\n"
                 f"    write({report()!r} + '<TestCase name=\"dead, and [gone]\">')\n    os.kill(os.getpid(), 11)")
@@ -212,6 +232,7 @@ class Builds(unittest.TestCase):
     def test_the_first_error_is_shown(self):
         text = self.explanation(("return glm::normalize", "retrun glm::normalize"))
         self.assertIn("retrun", text)
+        self.assertTrue(text.startswith("labs/lab01_picture/picture.hpp does not"), "nothing of where this machine keeps it")
         self.assertLess(len(text.splitlines()), 12)
         self.assertNotIn("Traceback", text)
 
