@@ -13,13 +13,11 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <optional>
 
@@ -68,11 +66,9 @@ namespace precise {
     return n;
 }
 
-/// The size of the smallest vector that no coordinate of the three exceeds.
-[[nodiscard]] inline double largest_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const auto largest = [](double x, double y, double z) { return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)); };
-    return largest(a.x, b.x, c.x) + largest(a.y, b.y, c.y) + largest(a.z, b.z, c.z);
-}
+/// How far a + wb e1 + wc e2 may be from the plane when it has been computed. Each coordinate is wrong by at most 6 * 2^-53 of the
+/// largest of a vertex, and no vertex is larger than a and an edge.
+[[nodiscard]] inline double error_within(const glm::dvec3& a, double size1, double size2) { return 0x1p-50 * (size(a) + (size1 + size2)); }
 
 }  // namespace precise
 
@@ -100,106 +96,77 @@ namespace precise {
     if (!contains(range, t)) return std::nullopt;
     glm::dvec3 normal(n[0].high, n[1].high, n[2].high);
     if (normal == glm::dvec3(0)) normal = -d;
-    return precise::hit{t, wa * a + wb * b + wc * c, normal / glm::length(normal), 0x1p-50 * precise::largest_size(a, b, c)};
+    return precise::hit{t, wa * a + wb * b + wc * c, normal / glm::length(normal), precise::error_within(a, precise::size(e1), precise::size(e2))};
+}
+[[nodiscard, gnu::noinline]] inline std::optional<hit> intersect_in_doubt(const triangle& s, const ray& r, interval range) {
+    if (const auto h = intersect_in_doubt(s, precise::widen(r), range)) return rounded(*h);
+    return std::nullopt;
 }
 
 namespace precise {
 
-/// A point beside the ray, which has become the z axis: sheared so that its direction is (0, 0, 1), seen along it.
-struct sheared {
-    double x, y;
-};
-
-/// A ray made ready to be tested against many triangles: its shear.
+/// A ray made ready to be tested against many triangles: widened, and measured.
 struct triangle_ray : ray {
-    std::ptrdiff_t kx, ky, kz;  ///< the axes; z is the one along which the direction is longest
-    double sx, sy;
-    double ox, oy, oz;  ///< the origin along these axes
+    double longest;  ///< the largest coordinate of the direction
 
-    explicit triangle_ray(const ray& r) : ray(r) {
-        const glm::dvec3 length = glm::abs(direction);
-        const int z = length.x >= length.y && length.x >= length.z ? 0 : length.y >= length.z ? 1 : 2;
-        const int x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
-        const double sz = 1 / direction[z];
-        sx = -direction[x] * sz, sy = -direction[y] * sz;
-        ox = origin[x], oy = origin[y], oz = origin[z];
-        kx = x, ky = y, kz = z;
-    }
+    explicit triangle_ray(const ray& r)
+        : ray(r), longest(std::max(std::max(std::abs(direction.x), std::abs(direction.y)), std::abs(direction.z))) {}
     explicit triangle_ray(const lantern::ray& r) : triangle_ray(widen(r)) {}
-
-    [[nodiscard, gnu::always_inline]] sheared operator()(const glm::vec3& vertex) const {
-        const float* const v = glm::value_ptr(vertex);  // vertex[kx] would ask which one it is
-        const double z = v[kz] - oz;
-        return {multiply_add(sx, z, v[kx] - ox), multiply_add(sy, z, v[ky] - oy)};
-    }
 };
 
-/// The three vertices, sheared, for a ray that meets one triangle only: a branch for each axis instead of numbers in memory.
-[[nodiscard, gnu::always_inline]] inline std::array<sheared, 3> shear(const glm::dvec3& to_a, const glm::dvec3& to_b,
-                                                                      const glm::dvec3& to_c, const glm::dvec3& d) {
-    const auto along = [&](int x, int y, int z) -> std::array<sheared, 3> {
-        const double sz = 1 / d[z], sx = -d[x] * sz, sy = -d[y] * sz;
-        return {{{multiply_add(sx, to_a[z], to_a[x]), multiply_add(sy, to_a[z], to_a[y])},
-                 {multiply_add(sx, to_b[z], to_b[x]), multiply_add(sy, to_b[z], to_b[y])},
-                 {multiply_add(sx, to_c[z], to_c[x]), multiply_add(sy, to_c[z], to_c[y])}}};
-    };
-    const double dx = std::abs(d.x), dy = std::abs(d.y), dz = std::abs(d.z);
-    if (dx >= dy && dx >= dz) return along(1, 2, 0);
-    if (dy >= dz) return along(2, 0, 1);
-    return along(0, 1, 2);
-}
+/// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection", JGT 2(1), 1997, without its division: with q = (a - o) × d,
+/// v = q·(c - a), w = q·(a - b) and u = n·d - v - w are of one sign inside, in the ratio of the weights of b, c and a. In double;
+/// a sign that rounding might have decided is not believed, and neither is a plane too slanting or too near for t: `in_doubt`
+/// decides then. No triangle is too small: only a determinant of 0 is a miss. (Inlined always, for the widened numbers to stay in registers.)
+template <class Make, class Doubt>
+[[nodiscard, gnu::always_inline]] inline auto find_hit(const triangle& s, const triangle_ray& r, const interval& range, Make make,
+                                                       Doubt in_doubt) -> decltype(in_doubt()) {
+    const glm::dvec3 a(s.a), from_b = a - glm::dvec3(s.b), to_c = glm::dvec3(s.c) - a, to_a = a - r.origin;
+    const glm::dvec3 q = glm::cross(to_a, r.direction);
+    const double v = glm::dot(q, to_c), w = glm::dot(q, from_b);
+    // Of x·(y × z) each of six products is wrong by at most 7 e, e = 2^-53: 1 for each difference, 4 for products and sums. Their sizes
+    // add up to no more than size(x) size(y) max|z|. So v and w, n·d, and with two roundings more u, are right but for 9 e times this.
+    const double size_b = size(from_b), size_c = size(to_c), distance = size(to_a);
+    const double doubt = 0x1p-49 * r.longest * ((distance + size_b) * (size_b + size_c));
+    if (v > doubt ? w < -doubt : v < -doubt && w > doubt) return std::nullopt;
 
-/// Inside or outside by the signs of three edge functions in sheared space (Woop, Benthin and Wald, "Watertight ray/triangle
-/// intersection", JCGT 2(1), 2013), in double. A sign that rounding might have decided is not believed, and neither is a plane too
-/// slanting or too near for t: `intersect_in_doubt` decides then. No triangle is too small: only a determinant of 0 is a miss.
-/// (Inlined always, for the widened numbers to stay in registers.)
-template <class Ray, class Make, class Doubt>
-[[nodiscard, gnu::always_inline]] inline auto find_hit(const triangle& s, const Ray& r, const interval& range, Make make, Doubt in_doubt)
-    -> decltype(make(0.0, r.origin, r.origin, 0.0)) {
-    const glm::dvec3 a(s.a), b(s.b), c(s.c), d = r.direction, to_a = a - r.origin, to_b = b - r.origin, to_c = c - r.origin;
-    std::array<sheared, 3> corner;
-    if constexpr (std::same_as<Ray, triangle_ray>) corner = {r(s.a), r(s.b), r(s.c)};
-    else corner = shear(to_a, to_b, to_c, d);
-    const auto& [A, B, C] = corner;
-    const double u = difference_of_products(C.x, B.y, C.y, B.x);
-    const double v = difference_of_products(A.x, C.y, A.y, C.x);
-    const double w = difference_of_products(B.x, A.y, B.y, A.x);
-    // No coordinate is larger than `reach`. With e = 2^-53, sx and sy are wrong by 2 e of themselves and what is sheared by 7 e reach,
-    // hence u, v, w by 32 e reach².
-    const glm::dvec3 e1 = b - a, e2 = c - a;
-    const double size1 = size(e1), size2 = size(e2), distance = size(to_a), reach = distance + (size1 + size2);
-    const double doubt = 0x1p-47 * (reach * reach), least = std::min(std::min(u, v), w), most = std::max(std::max(u, v), w);
-    if (least < -doubt && most > doubt) return std::nullopt;
-
-    const glm::dvec3 n = glm::cross(e1, e2);
-    const double above = glm::dot(n, to_a), speed = glm::dot(n, d), scale = 0x1p-15 * size1 * size2;
-    if (!((least > doubt || most < -doubt) && std::abs(above) > scale * distance && std::abs(speed) > scale * size(d))) {
-        const std::optional<hit> h = in_doubt();
-        if (!h) return std::nullopt;
-        return make(h->t, h->point, h->normal, h->error);
+    const glm::dvec3 n = glm::cross(to_c, from_b);
+    const double above = glm::dot(n, to_a), speed = glm::dot(n, r.direction), u = speed - v - w;
+    const double scale = 0x1p-15 * size_b * size_c;
+    if (!(u > doubt ? v > doubt && w > doubt : u < -doubt && v < -doubt && w < -doubt)) {
+        if (u > doubt ? std::min(v, w) < -doubt : u < -doubt && std::max(v, w) > doubt) return std::nullopt;
+        return in_doubt();
     }
+    if (!(std::abs(above) > scale * distance && std::abs(speed) > scale * r.longest)) return in_doubt();
     const double t = above / speed;
     if (!contains(range, t)) return std::nullopt;
-    const double per_sum = 1 / (u + v + w), wa = u * per_sum, wb = v * per_sum, wc = w * per_sum;
-    return make(t, wa * a + wb * b + wc * c, n / glm::length(n), 0x1p-50 * largest_size(a, b, c));
+    const double wb = v / speed, wc = w / speed;
+    return make(t, a - wb * from_b + wc * to_c, n / glm::length(n), error_within(a, size_b, size_c));
 }
 
 }  // namespace precise
 
-[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r, interval range) {
+/// What `intersect` answers, to the last bit, where it is known that it is sure of a hit, and at which t.
+[[nodiscard, gnu::always_inline]] inline hit hit_at(const triangle& s, const ray& r, float t) {
+    const glm::dvec3 a(s.a), from_b = a - glm::dvec3(s.b), to_c = glm::dvec3(s.c) - a, d(r.direction);
+    const glm::dvec3 q = glm::cross(a - glm::dvec3(r.origin), d), n = glm::cross(to_c, from_b);
+    const double speed = glm::dot(n, d), wb = glm::dot(q, to_c) / speed, wc = glm::dot(q, from_b) / speed;
+    return *precise::rounded_at_once(double(t), a - wb * from_b + wc * to_c, n / glm::length(n),
+                                     precise::error_within(a, precise::size(from_b), precise::size(to_c)));
+}
+
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::triangle_ray& r,
+                                                                               interval range) {
     return precise::find_hit(s, r, range, precise::as_it_is, [&] { return intersect_in_doubt(s, precise::ray(r), range); });
 }
 
-/// For a ray that meets many triangles: see `ready_for`.
-[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::triangle_ray& r,
-                                                                               interval range) {
-    return precise::find_hit(s, r, range, precise::as_it_is, [&] { return intersect_in_doubt(s, r, range); });
+[[nodiscard, gnu::always_inline]] inline std::optional<precise::hit> intersect(const triangle& s, const precise::ray& r, interval range) {
+    return intersect(s, precise::triangle_ray(r), range);
 }
 
 /// The same, rounded where it is made: it need not go through memory.
 [[nodiscard]] inline std::optional<hit> intersect(const triangle& s, const ray& r, interval range) {
-    return precise::find_hit(s, precise::widen(r), range, precise::rounded_at_once,
-                             [&] { return intersect_in_doubt(s, precise::widen(r), range); });
+    return precise::find_hit(s, precise::triangle_ray(r), range, precise::rounded_at_once, [&] { return intersect_in_doubt(s, r, range); });
 }
 
 }  // namespace lantern

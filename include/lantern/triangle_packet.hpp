@@ -84,7 +84,7 @@ struct packet_hits {
     doubles u, v, w;       ///< the edge functions: the weights of a, b and c, if divided by their sum
     doubles normal[3];     ///< n = (b - a) x (c - a)
     doubles above, speed;  ///< n * (a - o) and n * d: t = above / speed
-    std::uint32_t alike;   ///< the lanes where all of these are what `intersect` of the triangle computes, to the last bit
+    std::uint32_t alike;   ///< the lanes where `intersect` of the triangle is sure of a hit, and computes this t, to the last bit
 };
 
 /// Which triangles the line of a finite ray passes through: bit i for triangle i. Where rounding might decide it says yes, so it
@@ -165,7 +165,8 @@ struct packet_hits {
     magnitude(hits.above, height);
     magnitude(hits.speed, slope);
     const doubles scale = 0x1p-15 * size1 * size2, low = scale * distance, flat = scale * precise::size(exact.direction);
-    // Inside for certain, by the very bound of `intersect`: both believe the same hits.
+    // Inside for certain: u, v, w are wrong by 2^-48 span². In units of them the bound of `intersect` is at most 2^-49 span², and its
+    // numbers are wrong by half of that; so a triangle is sure, too, of whatever this believes.
     doubles least = hits.u, most = hits.u;
     keep_smaller(least, hits.v);
     keep_smaller(least, hits.w);

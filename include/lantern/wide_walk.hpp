@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -91,11 +90,8 @@ struct traveller {
 struct best_hit {
     const triangle_packet* packet = nullptr;
     std::uint32_t lane = 0, index = 0;
-    bool sure = false;                 ///< u, v, w and the normal are good enough
-    float t;                           // this, and what follows, means nothing as long as there is no packet
-    double u, v, w, normal[3];
-
-    best_hit() {}  // NOLINT: for most rays' sake
+    bool sure = false;  ///< the packet was; so is the triangle, whose bounds of the error are smaller
+    float t = 0;
 
     [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners& corner, traveller& r, auto& counter) {
         packet_hits hits;
@@ -116,10 +112,6 @@ struct best_hit {
                 index = p.index[i];
                 t = found;
                 sure = (hits.alike >> i & 1) != 0;
-                u = hits.u[i];
-                v = hits.v[i];
-                w = hits.w[i];
-                for (std::size_t k = 0; k < 3; ++k) normal[k] = hits.normal[k][i];
                 r.shorten(found);
             }
         } while ((lanes &= lanes - 1) != 0);
@@ -132,25 +124,7 @@ struct best_hit {
             const auto h = ask(*packet, lane, given, interval{});
             return h ? std::optional(nearest{rounded(*h), index}) : std::nullopt;
         }
-        // The same operations as in `intersect` of a triangle, side by side for x, y and z.
-        const double per_sum = 1 / (u + v + w), wa = u * per_sum, wb = v * per_sum, wc = w * per_sum;
-        const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-        const float* const p = packet->vertex + lane;
-        quad a{p[0], p[4], p[8]}, b{p[12], p[16], p[20]}, c{p[24], p[28], p[32]}, point, n;
-        doubles ad, bd, cd;
-        widen(a, ad);
-        widen(b, bd);
-        widen(c, cd);
-        narrow(wa * ad + wb * bd + wc * cd, point);
-        narrow(doubles{normal[0], normal[1], normal[2]} / length, n);
-        magnitude(a, a);
-        magnitude(b, b);
-        magnitude(c, c);
-        keep_larger(a, b);
-        keep_larger(a, c);
-        const double largest = double(a[0]) + double(a[1]) + double(a[2]);
-        const float error = static_cast<float>(0x1p-50 * largest);
-        return nearest{{t, {point[0], point[1], point[2]}, {n[0], n[1], n[2]}, error}, index};
+        return nearest{hit_at((*packet)[lane], given, t), index};
     }
 };
 
