@@ -82,8 +82,8 @@ std::optional<hit> intersect(const rolling_ball& b, const timed_ray& r, interval
     return intersect(lantern::moving{b.shape, b.way}, r, range);
 }
 
-/// What a person writes who knows which effects the scene has; how many balls and lamps, and what ambient light, is no effect, and
-/// read at run time by all kernels. Each `if constexpr` is a line that is there or is not, in one of six programs.
+/// What a person writes who knows which effects the scene has; how many balls and lamps, what ambient light, how wide the aperture and
+/// when the shutter is open, is no effect, and read at run time by all kernels. Each `if constexpr` is a line that is there or is not, in one of six programs.
 template <bool Lens, bool Motion, bool Gloss, bool Soft>
 struct stripped {
     using ray_type = std::conditional_t<Motion, timed_ray, ray>;
@@ -96,6 +96,7 @@ struct stripped {
     glm::vec3 ambient{0};
     lantern::camera_frame frame;
     float aperture = 0, focus = 1;
+    lantern::shutter exposure{};
 
     glm::vec3 lit(const ball& b, const ray_type& r, glm::vec3 in, const hit& h, const lantern::illumination& light) const {
         if (light.irradiance == glm::vec3(0)) return glm::vec3(0);
@@ -138,7 +139,7 @@ struct stripped {
             direction -= aside / double(focus);
         }
         const ray r{glm::vec3(start), glm::vec3(direction / glm::length(direction))};
-        if constexpr (Motion) return seen({r, source.draw1(purpose::time)}, source, 0);
+        if constexpr (Motion) return seen({r, moment(exposure, source)}, source, 0);
         else return seen(r, source, 0);
     }
 };
@@ -162,6 +163,7 @@ std::uint64_t by_hand(std::uint32_t side, const trim_scene::everything& s) {
     for (const auto& l : s.lights) kernel.lamps.push_back(std::get<typename decltype(kernel)::lamp_type>(l));
     kernel.aperture = s.lens.radius;
     kernel.focus = s.lens.focus_distance;
+    kernel.exposure = s.exposure;
     return measured(side, kernel);
 }
 

@@ -32,6 +32,14 @@ struct moving {
 template <class Surface>
 moving(Surface, glm::vec3) -> moving<Surface>;
 
+namespace precise {
+
+/// What `moving` adds to the error of a point: the shift is rounded, and the sum. That the ray's origin was rounded, too, moves the
+/// point along the surface, not away from it.
+[[nodiscard]] inline double error_moved(const glm::dvec3& shift, const glm::dvec3& point) { return 0x1p-52 * (size(shift) + size(point)); }
+
+}  // namespace precise
+
 template <class Surface, std::derived_from<precise::timed_ray> Ray>
     requires precise_surface<Surface, Ray>
 [[nodiscard]] std::optional<precise::hit> intersect(const moving<Surface>& m, const Ray& r, interval range) {
@@ -41,7 +49,7 @@ template <class Surface, std::derived_from<precise::timed_ray> Ray>
     auto h = intersect(m.surface, local, range);
     if (h) {
         h->point += shift;
-        h->error += 0x1p-51 * (precise::size(r.origin) + precise::size(shift) + precise::size(h->point));
+        h->error += precise::error_moved(shift, h->point);
     }
     return h;
 }
@@ -50,13 +58,12 @@ template <class Surface, std::derived_from<precise::timed_ray> Ray>
 template <class Surface, std::derived_from<timed_ray> Ray>
     requires requires(const Surface& s, const precise::ray& r, interval range) { find_hit(s, r, range, precise::rounded_at_once); }
 [[nodiscard]] std::optional<hit> intersect(const moving<Surface>& m, const Ray& r, interval range) {
-    const glm::dvec3 shift = double(r.time) * glm::dvec3(m.displacement), origin(r.origin);
+    const glm::dvec3 shift = double(r.time) * glm::dvec3(m.displacement);
     const auto make = [&](double t, const glm::dvec3& point, const glm::dvec3& normal, double error) {
         const glm::dvec3 there = point + shift;
-        const double moved_error = error + 0x1p-51 * (precise::size(origin) + precise::size(shift) + precise::size(there));
-        return precise::rounded_at_once(t, there, normal, moved_error);
+        return precise::rounded_at_once(t, there, normal, error + precise::error_moved(shift, there));
     };
-    return find_hit(m.surface, precise::ray{origin - shift, glm::dvec3(r.direction)}, range, make);
+    return find_hit(m.surface, precise::ray{glm::dvec3(r.origin) - shift, glm::dvec3(r.direction)}, range, make);
 }
 
 /// For surfaces that answer in float only: a user's own.
