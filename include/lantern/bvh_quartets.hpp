@@ -90,7 +90,7 @@ private:
     struct child {
         std::uint32_t first, size;  // of a leaf's indices; of an inner node its quartet's number and 0
     };
-    struct alignas(64) quartet {  // two lines of the cache
+    struct alignas(128) quartet {  // two lines of the cache, of the kind that come together
         box_quartet boxes;
         std::array<child, 4> what;
     };
