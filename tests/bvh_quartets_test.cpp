@@ -94,6 +94,19 @@ TEST_CASE("what lies beyond a hit is neither offered nor looked at, and what wai
     CHECK(offers == 1);
 }
 
+TEST_CASE("without indices, places in the order of the leaves are offered") {
+    std::vector<aabb> row;
+    for (int i = 0; i < 50; ++i) row.push_back({{3.0f * float(i * 37 % 50), -1, -1}, {3.0f * float(i * 37 % 50) + 1, 1, 1}});
+    bvh_layout layout(row, {});
+    std::vector<std::uint32_t> by_index, by_place;
+    const bvh_quartets fours(layout.nodes());
+    const auto note = [](std::vector<std::uint32_t>& list) { return [&](std::uint32_t i, interval rest) { return list.push_back(i), rest; }; };
+    fours.traverse(ray{{-5, 0, 0}, {1, 0, 0}}, {}, layout.indices(), note(by_index), lantern::no_probe{});
+    fours.traverse(ray{{-5, 0, 0}, {1, 0, 0}}, {}, {}, note(by_place), lantern::no_probe{});
+    REQUIRE((by_index.size() == 50 && by_place.size() == 50));
+    for (std::size_t k = 0; k < 50; ++k) REQUIRE(layout.indices()[by_place[k]] == by_index[k]);
+}
+
 TEST_CASE("a slot that is not used does not count") {
     std::vector<aabb> row;
     for (int i = 0; i < 3; ++i) row.push_back({{3.0f * float(i), -1, -1}, {3.0f * float(i) + 1, 1, 1}});

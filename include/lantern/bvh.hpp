@@ -60,7 +60,7 @@ public:
         requires std::constructible_from<volume_ray<Volume>, const Ray&, interval, const Volume&>
     void traverse(const Ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         if (nodes_.empty() || empty(range)) return;
-        if constexpr (std::same_as<Volume, aabb>) return fours_.traverse(r, range, indices_, offer, counter);
+        if constexpr (std::same_as<Volume, aabb>) return fours_.traverse(r, range, in_order_ ? std::span<const std::uint32_t>() : indices_, offer, counter);
         volume_ray<Volume> way(r, range, nodes_[0].volume);
         struct sibling {
             std::uint32_t at;
@@ -118,6 +118,7 @@ public:
             sorted.push_back(std::ranges::begin(surfaces)[i]);
             i = static_cast<std::uint32_t>(sorted.size() - 1);
         }
+        in_order_ = true;
         return sorted;
     }
 
@@ -162,6 +163,7 @@ private:
     bvh_quartets fours_;  // the same once more, where the volumes are boxes
     std::vector<std::uint32_t> indices_;
     std::uint32_t left_out_ = 0;
+    bool in_order_ = false;  // then indices_[i] is i
 };
 
 }  // namespace lantern

@@ -32,7 +32,8 @@ public:
         root_ = {nodes[0].volume, under(nodes, 0)};
     }
 
-    /// As in `bvh`; the nearest of the children comes first, and the others wait.
+    /// As in `bvh`; the nearest of the children comes first, and the others wait. `indices` may be left out (an empty span) where the
+    /// surfaces are in the order of the leaves: what is not read need not be fetched.
     template <class Offer, class Probe>
     void traverse(const ray& r, interval range, std::span<const std::uint32_t> indices, Offer&& offer, Probe&& counter) const {
         box_quartet_ray way(r, range, reach_of(root_.box));
@@ -73,8 +74,12 @@ public:
                     continue;
                 }
             } else {
-                range = offer_each(indices.subspan(at.what->first, at.what->size), range, offer, counter);
-                if (empty(range)) return;
+                const std::uint32_t first = at.what->first, end = first + at.what->size;
+                for (std::uint32_t i = first; i < end; ++i) {
+                    counter.offer();
+                    range = offer(indices.empty() ? i : indices[i], range);
+                    if (empty(range)) return;
+                }
                 way.shorten(range.max);
             }
             do {
