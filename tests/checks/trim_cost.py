@@ -5,32 +5,22 @@ PROGRAM is trim_kernels. Valgrind counts the instructions of each kernel, so loa
 matter; the pictures must be the same. More than LIMIT per cent (1) above the kernel by hand is a failure. Without
 valgrind, or where it does not know the processor's instructions, there is nothing to say: exit code 77, skipped."""
 
-import re
-import shutil
-import subprocess
+import pathlib
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+import callgrind  # noqa: E402
 
 SCENES = ("static", "lens", "motion", "gloss", "shadow", "all")
 SKIPPED = 77
 SIDE = "12"
 
 
-def count(program: str, scene: str, kernel: str) -> tuple[str, int] | None:
-    """The picture's hash and the instructions; None where valgrind cannot run the program."""
-    done = subprocess.run(
-        ["valgrind", "--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null", program, scene, kernel, SIDE],
-        capture_output=True, text=True, errors="replace", check=False)
-    collected = re.search(r"Collected : (\d+)", done.stderr)
-    if done.returncode != 0 or collected is None:
-        print(done.stderr[-2000:])
-        return None
-    return done.stdout.strip(), int(collected[1])
-
-
 def main() -> int:
     program = sys.argv[1]
     limit = float(sys.argv[2]) if len(sys.argv) > 2 else 1.0
-    if shutil.which("valgrind") is None:
+    if not callgrind.is_here():
         print("skipped: there is no valgrind to count instructions with")
         return SKIPPED
     failed = False
@@ -39,15 +29,15 @@ def main() -> int:
     for scene in SCENES:
         counts = {}
         for kernel in ("stripped", "trimmed", "everything"):
-            found = count(program, scene, kernel)
-            if found is None:
-                print(f"skipped: valgrind could not run {program} {scene} {kernel}")
+            try:
+                counts[kernel] = callgrind.count([program, scene, kernel, SIDE], within="*measured*")
+            except callgrind.Failed as problem:
+                print(f"skipped: {problem}")
                 return SKIPPED
-            counts[kernel] = found
-        hand, trimmed, everything = (counts[k][1] for k in ("stripped", "trimmed", "everything"))
+        hand, trimmed, everything = (counts[k].instructions for k in ("stripped", "trimmed", "everything"))
         above = 100 * (trimmed / hand - 1)
         verdict = "" if above <= limit else f"   more than {limit:g} % above"
-        if len({picture for picture, _ in counts.values()}) > 1:
+        if len({each.printed for each in counts.values()}) > 1:
             verdict += "   the pictures differ"
         failed = failed or bool(verdict)
         print(f"{scene:8} {hand / samples:9.1f} {trimmed / samples:9.1f} {above:+7.2f}% {everything / samples:11.1f}{verdict}")
