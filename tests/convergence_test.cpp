@@ -116,6 +116,7 @@ TEST_CASE("errors that are all the same are no chance") {
 TEST_CASE("samples for an error: between measurements, at them, and beyond") {
     const convergence c = exactly(2, -0.5);
     for (const double n : {5.0, 16.0, 100.0, 256.0, 10000.0}) CHECK(samples_for(c, 2 / std::sqrt(n)) == Approx(n));
+    CHECK(samples_for(convergence{{4, 16}, {{trial{0, 1}}, {trial{0, 1}}}}, 0.5) == std::numeric_limits<double>::infinity());
     CHECK_THROWS_AS(samples_for(c, 0), std::invalid_argument);
     CHECK_THROWS_AS(samples_for(convergence{{4}, {{}}}, 1), std::invalid_argument);
 }

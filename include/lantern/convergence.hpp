@@ -150,14 +150,15 @@ template <class Figure>
 }
 
 /// How many samples an error takes: along the straight line through the logarithms of the two nearest measurements, and of the
-/// last two beyond these. Times the seconds of one sample it is the time to that error. Refuses an error that is not positive,
-/// and fewer than two numbers of samples.
+/// last two beyond these; infinite where the error does not fall from one to the other. Times the seconds of one sample it is the
+/// time to that error. Refuses an error that is not positive, and fewer than two numbers of samples.
 [[nodiscard]] inline double samples_for(const convergence& c, double error) {
     if (!(error > 0)) refuse("samples_for: error", std::to_string(error), "positive");
     if (c.samples.size() < 2) refuse("samples_for: numbers of samples", std::to_string(c.samples.size()), "at least 2");
     std::size_t n = 1;
     while (n + 1 < c.samples.size() && rmse(c.trials[n]) > error) ++n;
     const double before = rmse(c.trials[n - 1]), after = rmse(c.trials[n]);
+    if (!(after < before)) return std::numeric_limits<double>::infinity();
     const double steps = std::log(error / before) / std::log(after / before);
     return c.samples[n - 1] * std::pow(double(c.samples[n]) / c.samples[n - 1], steps);
 }
