@@ -6,12 +6,15 @@
 
 #include <charconv>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace bench {
 
@@ -30,6 +33,17 @@ template <std::integral Number>
     if (error != std::errc{} || end != text.data() + text.size() || value < least)
         lantern::refuse(std::string(option), "'" + std::string(text) + "'", "a whole number, at least " + std::to_string(least));
     return value;
+}
+
+/// Whole numbers with commas between them, each larger than the one before, from 1 on.
+[[nodiscard]] inline std::vector<std::uint32_t> ascending(std::string_view option, std::string_view text) {
+    std::vector<std::uint32_t> all;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        all.push_back(number<std::uint32_t>(option, text.substr(0, comma), all.empty() ? 1 : all.back() + 1));
+        if (comma == std::string_view::npos) return all;
+        text.remove_prefix(comma + 1);
+    }
 }
 
 /// Reads --csv, --json and --check, and whatever take(options, word, next) knows besides and returns true for; next() is the

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pictures of one effect each, of which every pixel is known in closed form: to measure how fast rendering comes there.
+// Pictures of one effect each, and one of two, of which every pixel is known in closed form: to measure how fast rendering comes there.
 
 #include "exact_scenes.hpp"
+#include "replayed.hpp"
 
 #include <lantern/convergence.hpp>
 #include <lantern/exact.hpp>
@@ -64,14 +65,21 @@ struct pixel {
             }};
 }
 
+/// By one of our samplers, and with points that are there already.
+struct renderings {
+    std::function<image(std::string_view sampler, std::uint32_t count, std::uint64_t seed, unsigned threads)> by_name;
+    std::function<image(const point_table&, unsigned threads)> by_table;
+};
+
 struct picture {
     std::string name;    ///< the effect
     std::string tells;   ///< what there is to see
-    std::uint32_t dimensions = 2;
+    std::vector<lantern::purpose> purposes;  ///< what its samples draw numbers for
+    std::uint32_t dimensions = 2;            ///< how many numbers that are
     double theory_jittered = -0.75;  ///< the slope of RMSE that jittered samples must come to
     glm::uvec2 size{1};
     std::vector<pixel> pixels;
-    std::function<image(std::string_view sampler, std::uint32_t count, std::uint64_t seed, unsigned threads)> render;
+    renderings render;
 
     [[nodiscard]] image exactly() const {
         image all(size);
@@ -95,13 +103,15 @@ namespace detail {
 template <class Shape, class Paint, class Light, class Camera, class Filter>
 [[nodiscard]] auto renderer(glm::uvec2 size, std::vector<lantern::object<Shape, Paint>> things, std::vector<Light> lights, Camera cam,
                             Filter filter) {
-    return [=](std::string_view sampler, std::uint32_t count, std::uint64_t seed, unsigned threads) {
+    const auto with = [=](const auto& samples, unsigned threads) {
         const lantern::every structure{std::uint32_t(things.size())};
         const lantern::distribution tracer{structure, things, lights};
-        return with_sampler(sampler, count, seed, [&](const auto& samples) {
-            return lantern::render(size, cam, samples, tracer, {.threads = threads}, filter);
-        });
+        return lantern::render(size, cam, samples, tracer, {.threads = threads}, filter);
     };
+    return renderings{[=](std::string_view sampler, std::uint32_t count, std::uint64_t seed, unsigned threads) {
+                          return with_sampler(sampler, count, seed, [&](const auto& samples) { return with(samples, threads); });
+                      },
+                      [=](const point_table& table, unsigned threads) { return with(replayed{&table}, threads); }};
 }
 
 /// A row of white stripes on black, in one plane: from edges[0] to edges[1], from edges[2] to edges[3] and so on, all of
@@ -173,7 +183,7 @@ inline const stripes floor_stripes{.origin = {0, 0, 0}, .across = {1, 0, 0}, .al
     const lantern::view v = detail::looking({0.3f, 1, 0}, {0.6f, 0, -1.5f}, size, 38);
     const lantern::camera_frame frame(v);
     const glm::dvec3 a = 2 * frame.half_width / size.x * frame.right, b = -2 * frame.half_height / size.y * frame.up;
-    return {"antialiasing", "Stripes on a floor, seen through pixels that have an area.", 2, -0.75, size,
+    return {"antialiasing", "Stripes on a floor, seen through pixels that have an area.", {lantern::purpose::film}, 2, -0.75, size,
             detail::each_pixel(size, [&](glm::vec2 film) {
                 return detail::through(detail::floor_stripes, frame.eye, {frame.eye + frame.towards(film) - 0.5 * (a + b), a, b});
             }),
@@ -210,7 +220,7 @@ inline const stripes floor_stripes{.origin = {0, 0, 0}, .across = {1, 0, 0}, .al
         };
         return p;
     };
-    return {"depth of field", "The same stripes through a lens: sharp where they cross the plane of focus.", 2, -0.75, size,
+    return {"depth of field", "The same stripes through a lens: sharp where they cross the plane of focus.", {lantern::purpose::lens}, 2, -0.75, size,
             detail::each_pixel(size, make),
             detail::renderer(size, detail::shining(s), std::vector<lantern::point_light>{}, lantern::camera{v, lens},
                              exact_scenes::point_filter{})};
@@ -232,7 +242,8 @@ inline const stripes floor_stripes{.origin = {0, 0, 0}, .across = {1, 0, 0}, .al
     std::vector<lantern::object<lantern::rectangle, paint>> things{
         {lantern::rectangle{{-9, 0, 9}, {18, 0, 0}, {0, 0, -18}}, lantern::glossy{.color = glm::vec3(1), .width = width}}};
     for (const lantern::rectangle& r : s.rectangles()) things.push_back({r, exact_scenes::detail::white});
-    return {"gloss", "Stripes on a ceiling, in a floor that is a rough mirror.", 2, -0.75, size, detail::each_pixel(size, make),
+    return {"gloss", "Stripes on a ceiling, in a floor that is a rough mirror.", {lantern::purpose::gloss}, 2, -0.75, size,
+            detail::each_pixel(size, make),
             detail::renderer(size, things, std::vector<lantern::point_light>{}, lantern::camera{v}, exact_scenes::point_filter{})};
 }
 
@@ -272,7 +283,8 @@ inline const stripes floor_stripes{.origin = {0, 0, 0}, .across = {1, 0, 0}, .al
     for (const lantern::rectangle& r : slats.rectangles()) things.push_back({r, lantern::diffuse{}});
     const std::vector<lantern::rectangle_light> lights{
         {glm::vec3(lamp.corner), glm::vec3(lamp.a), glm::vec3(lamp.b), glm::vec3(float(radiance))}};
-    return {"soft shadow", "The shadow of a blind under a rectangular lamp.", 2, -0.75, size, detail::each_pixel(size, make),
+    return {"soft shadow", "The shadow of a blind under a rectangular lamp.", {lantern::purpose::light}, 2, -0.75, size,
+            detail::each_pixel(size, make),
             detail::renderer(size, things, lights, lantern::camera{v}, exact_scenes::point_filter{})};
 }
 
@@ -309,17 +321,62 @@ inline const stripes floor_stripes{.origin = {0, 0, 0}, .across = {1, 0, 0}, .al
     };
     std::vector<lantern::object<shape, lantern::emissive>> things;
     for (const shape& ball : balls) things.push_back({ball, exact_scenes::detail::white});
-    return {"motion blur", "Balls on their way while the shutter is open.", 1, -1, size, detail::each_pixel(size, make),
+    return {"motion blur", "Balls on their way while the shutter is open.", {lantern::purpose::time}, 1, -1, size, detail::each_pixel(size, make),
             detail::renderer(size, things, std::vector<lantern::point_light>{},
                              lantern::camera{v, lantern::pinhole{}, lantern::shutter{}}, exact_scenes::point_filter{})};
 }
 
-inline constexpr std::array<std::pair<std::string_view, picture (*)(glm::uvec2)>, 5> all{{
+/// Stripes on a wall, out of focus, through pixels that have an area and a square lens: four numbers, weighted and added. Blurs stay
+/// narrower than stripes, so no pixel sees two edges.
+[[nodiscard]] inline picture two_at_once(glm::uvec2 size) {
+    const lantern::view v = detail::looking({0, 0, 2}, {0, 0, 0}, size, 40);
+    const lantern::camera_frame frame(v);
+    const exact_scenes::square_lens lens{.side = 0.3f, .focus_distance = 3};
+    const double distance = 2;
+    const detail::stripes s{.origin = {0, 0, 0}, .across = {0.8, 0.6, 0}, .along = {-0.6, 0.8, 0}, .length = 8,
+                            .edges = {-1.4, -1.05, -0.68, -0.3, 0.05, 0.4, 0.78, 1.2}};
+    const std::vector<exact::drawn> purposes{
+        {exact::pixel_weights(s.across, distance, 2 * frame.half_width / size.x * frame.right, -2 * frame.half_height / size.y * frame.up)},
+        {exact::lens_weights(s.across, distance, double(lens.focus_distance), double(lens.side) * frame.right,
+                             double(lens.side) * frame.up)}};
+    std::vector<double> weights;
+    double moved = 0;  // by all numbers together, at most
+    for (const exact::drawn& p : purposes)
+        for (const double w : p.weights) weights.push_back(w), moved += std::abs(w);
+    const auto make = [&](glm::vec2 film) {
+        const double middle = glm::dot(frame.eye + distance * frame.towards(film) - s.origin, s.across);
+        const auto up_to = [=](std::size_t k) {  // the sum of the numbers, with which the edge is reached
+            double d = s.edges[k] - middle;
+            for (const double w : weights) d += w / 2;
+            return d;
+        };
+        const double p = s.sum([&](std::size_t k) { return 1 - exact::fraction_below(weights, up_to(k)); });
+        std::size_t nearest = 0;
+        for (std::size_t k = 0; k < s.edges.size(); ++k)
+            if (std::abs(s.edges[k] - middle) < std::abs(s.edges[nearest] - middle)) nearest = k;
+        const double d = up_to(nearest);
+        const bool sharp = std::abs(s.edges[nearest] - middle) >= moved / 2;  // no edge within reach
+        return pixel{p, p * (1 - p), [=](std::uint32_t side) {
+                         if (sharp) return 0.0;
+                         const double mean = std::sqrt(exact::detail::second_moment(purposes, 0, side, d));
+                         // What both purposes have to do with each other is of order N^-2: left out where it would take long.
+                         return exact::padded_variance(2, side * side, mean, [&](std::uint32_t fixed) {
+                             return exact::detail::second_moment(purposes, fixed, side, d);
+                         }, side > 8 ? 1 : 2);
+                     }};
+    };
+    return {"two effects at once", "Stripes on a wall that is out of focus, seen through pixels that have an area.",
+            {lantern::purpose::film, lantern::purpose::lens}, 4, -0.5, size, detail::each_pixel(size, make),
+            detail::renderer(size, detail::shining(s), std::vector<lantern::point_light>{}, lantern::camera{v, lens}, lantern::box_filter{})};
+}
+
+inline constexpr std::array<std::pair<std::string_view, picture (*)(glm::uvec2)>, 6> all{{
     {"antialiasing", antialiasing},
     {"soft shadow", soft_shadow},
     {"gloss", gloss},
     {"depth of field", depth_of_field},
     {"motion blur", motion_blur},
+    {"two effects at once", two_at_once},
 }};
 
 }  // namespace exact_pictures
