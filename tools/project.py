@@ -29,9 +29,9 @@ def configure(preset: str, tests: bool) -> pathlib.Path:
     return folder
 
 
-def has_tests(folder: pathlib.Path) -> bool:
-    """Whether a tree was configured with the tests."""
-    return "LANTERN_TESTS:BOOL=ON" in (folder / "CMakeCache.txt").read_text(encoding="utf-8", errors="replace")
+def has_target(folder: pathlib.Path, name: str) -> bool:
+    """Whether a configured tree has this target: some are for one compiler alone."""
+    return f"build {name}: phony" in (folder / "build.ninja").read_text(encoding="utf-8", errors="replace")
 
 
 def build(folder: pathlib.Path, *targets: str) -> None:

@@ -30,11 +30,14 @@ void own(const points::wanted& w, std::span<glm::vec2> set) {
     const auto count = static_cast<std::uint32_t>(set.size());
     const glm::uvec2 grid = w.numbers == 1 ? glm::uvec2(count, 1) : lab13::cells(count);
     if (grid.x == 0 || grid.y == 0)
-        throw std::domain_error("cells(" + std::to_string(count) + ") is " + std::to_string(grid.x) + " by " + std::to_string(grid.y) + ": there is no such grid");
+        throw std::domain_error("cells(" + std::to_string(count) + ") is " + std::to_string(grid.x) + " by " + std::to_string(grid.y) +
+                                ": there is no such grid");
     const auto xi = points::random_points(count, w.key);
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t cell = lab13::stratum(i, count, w.purpose, w.pixel);
-        set[i] = {within(w.numbers == 1 ? cell : cell % grid.x, xi[i].x, grid.x), within(w.numbers == 1 ? 0 : cell / grid.x, xi[i].y, grid.y)};
+        // One number: a row of cells, and what is beyond it stays beyond it.
+        const glm::uvec2 at = w.numbers == 1 ? glm::uvec2(cell, 0) : glm::uvec2(cell % grid.x, cell / grid.x);
+        set[i] = {within(at.x, xi[i].x, grid.x), within(at.y, xi[i].y, grid.y)};
     }
 }
 

@@ -15,27 +15,12 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
+import browser  # noqa: E402
 import machine  # noqa: E402
+import prices  # noqa: E402
 from reporting import pieces  # noqa: E402
 
 VOID = {"meta", "img", "br", "link", "use", "path", "image"}
-
-# Runs in the page: what a person would see missing. Its answer is the title, which --dump-dom prints.
-LOOK = """<script>
-window.onerror = (message) => { document.title = 'ERROR ' + message; };
-window.onload = () => {
-  const problems = [];
-  for (const image of document.images) if (!image.complete || image.naturalWidth === 0) problems.push('picture ' + image.alt);
-  for (const plot of document.querySelectorAll('.plots svg')) {
-    const box = plot.getBoundingClientRect();
-    if (box.width < 100 || box.height < 80) problems.push('plot ' + plot.getAttribute('aria-label'));
-    if (box.right > document.documentElement.clientWidth + 1) problems.push('too wide: ' + plot.getAttribute('aria-label'));
-  }
-  if (document.documentElement.scrollWidth > document.documentElement.clientWidth + 1) problems.push('the page is wider than the window');
-  document.title = 'SEEN ' + document.images.length + ' ' + document.querySelectorAll('.plots svg').length + ' ' + problems.join('; ');
-};
-</script>"""
-
 
 class Tags(html.parser.HTMLParser):
     """Complains about tags that do not close, or close what is not open."""
@@ -69,21 +54,6 @@ def report(folder: pathlib.Path, *more: str) -> str:
     if done.returncode != 0:
         fail(f"exit code {done.returncode}\n{done.stdout}")
     return done.stdout
-
-
-def browse(browser: str, folder: pathlib.Path, width: int) -> None:
-    text = (folder / "index.html").read_text(encoding="utf-8").replace("</body>", LOOK + "</body>")
-    (folder / "looked_at.html").write_text(text, encoding="utf-8")
-    with tempfile.TemporaryDirectory() as profile:
-        done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-                               "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                               f"--user-data-dir={profile}", f"--window-size={width},900", "--virtual-time-budget=5000", "--dump-dom",
-                               (folder / "looked_at.html").as_uri()], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
-    title = re.search(r"<title>(.*?)</title>", done.stdout)
-    images, plots = 7 * len(pieces.EFFECTS), 2 * len(pieces.EFFECTS) + 1
-    seen = title.group(1) if title else "nothing"
-    if not seen.startswith(f"SEEN {images} ") or int(seen.split()[2]) < plots or seen.split()[3:]:
-        fail(f"at a width of {width}, of {images} pictures and at least {plots} plots the browser says: {seen}")
 
 
 def main() -> int:
@@ -120,13 +90,18 @@ def main() -> int:
         if not lost.is_file() or any(file.stat().st_mtime_ns != when for file, when in kept.items() if file != lost):
             fail("a report that was stopped measures anew what it has")
 
-        browser = machine.browser()
-        if browser is None:
-            print("no Chromium here: the page was not looked at")
-            return 0
-        for width in (1200, 400):
-            browse(browser, folder, width)
-        print("the page is whole, and a browser shows all of it")
+        if data["prices"]:
+            with open(folder / "prices.csv", encoding="utf-8", newline="") as file:
+                priced = {row["formula"]: row for row in csv.DictReader(file)}
+            if list(priced) != list(prices.PRICED) or any(float(row["ours_cost"]) <= 0 or float(row["textbook_cost"]) <= 0 for row in priced.values()):
+                fail(f"prices.csv holds {priced}")
+            if sum(int(row["textbook_wrong"]) for row in priced.values()) == 0 or sum(int(row["ours_wrong"]) for row in priced.values()) != 0:
+                fail("the textbook's formulas are right in all cases, or ours are not")
+
+        problem = browser.looked_at(folder, pictures=7 * len(pieces.EFFECTS), plots=2 * len(pieces.EFFECTS) + 1)
+        if problem:
+            fail(problem)
+        print("the page is whole, and a browser, where there is one, shows all of it")
     return 0
 
 

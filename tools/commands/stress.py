@@ -4,13 +4,11 @@
 import contextlib
 import json
 import pathlib
-import re
-import shutil
 import subprocess
 import sys
-import tempfile
 
 import machine
+import prices
 import process
 import project
 from commands.bench import everything_on_stderr
@@ -18,19 +16,6 @@ from labs import Problem
 
 SUMMARY = "stiff and extreme cases: the scorecard of the library, and its price"
 USAGE = "stress [--json] [OPTION...]"
-
-# A formula, the cases that judge it, and the inputs that stress_price makes: 4096.
-PRICED = {
-    "sphere": ["sphere/"],
-    "triangle": ["triangle/", "watertightness/"],
-    "plane": ["plane/"],
-    "box": ["boxes/"],
-    "basis": ["basis/"],
-    "refraction": ["refraction/"],
-    "leave": ["self-intersection/"],
-    "mean": ["image/mean"],
-}
-CALLS = 4096
 
 
 def run(arguments: list[str]) -> int:
@@ -70,69 +55,22 @@ def bring_valgrind() -> None:
 
 def price_table(stress: pathlib.Path, price: pathlib.Path) -> str:
     """Error and cost of the textbook's formulas beside ours."""
-    errors = {who: errors_of(stress, who) for who in ("textbook", "library")}
-    counted = instructions(price)
+    counted = prices.counted(price)
     unit = "instructions" if counted else "nanoseconds"
-    costs = counted or nanoseconds(price)
     lines = [f"what it costs: the textbook's formula in float, and ours, on everyday inputs, half of them hits ({unit} a call)", "",
              f"{'':<12}{'textbook: wrong':>16}{'ulp max':>10}{unit:>14}    {'ours: wrong':>12}{'ulp max':>10}{unit:>14}{'ratio':>8}"]
-    for name in PRICED:
-        wrong, ulp = errors["textbook"][name]
-        our_wrong, our_ulp = errors["library"][name]
-        textbook, ours = costs[f"price_{name}_textbook"], costs[f"price_{name}_ours"]
-        lines.append(f"{name:<12}{wrong:>16}{ulp:>10.3g}{textbook:>14.0f}    {our_wrong:>12}{our_ulp:>10.3g}{ours:>14.0f}{ours / textbook:>8.2f}")
+    for row in prices.table(cases_of(stress, "textbook"), cases_of(stress, "library"), counted or prices.timed(price)):
+        lines.append(f"{row['formula']:<12}{row['textbook_wrong']:>16}{row['textbook_ulp_max']:>10.3g}{row['textbook_cost']:>14.0f}    "
+                     f"{row['ours_wrong']:>12}{row['ours_ulp_max']:>10.3g}{row['ours_cost']:>14.0f}{row['ratio']:>8.2f}")
     lines += ["", "wrong: decided wrongly, or not finite, in the cases of that group; ulp: of the float that the answer is rounded to"]
     if not counted:
         lines.append("valgrind is not here, or did not run: these are times, and no two runs agree on them")
     return "\n".join(lines)
 
 
-def errors_of(stress: pathlib.Path, adapter: str) -> dict[str, tuple[int, float]]:
-    """Of each formula: how many answers of its cases are wrong, and the largest error."""
+def cases_of(stress: pathlib.Path, adapter: str) -> list[dict]:
     done = subprocess.run([str(stress), "--json", "--adapter", adapter], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
     try:
-        cases = json.loads(done.stdout)["cases"]
+        return json.loads(done.stdout)["cases"]
     except ValueError as error:
         raise Problem(f"{stress.name} gave no answer: {done.stderr}") from error
-    table = {}
-    for name, beginnings in PRICED.items():
-        mine = [case for case in cases if case["verdict"] != "n/a" and case["id"].startswith(tuple(beginnings))]
-        table[name] = (sum(case["wrong"] for case in mine), max((case["ulp_max"] for case in mine), default=0.0))
-    return table
-
-
-def instructions(price: pathlib.Path) -> dict[str, float]:
-    """Of each function, how many instructions a call takes, by callgrind; nothing where there is none."""
-    valgrind = shutil.which("valgrind")
-    if not valgrind:
-        return {}
-    with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder) / "callgrind.out"
-        done = subprocess.run([valgrind, "--tool=callgrind", f"--callgrind-out-file={out}", str(price), "once"], stdin=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-        if done.returncode != 0 or not out.is_file():
-            return {}
-        return {name: cost / CALLS for name, cost in called(out.read_text(encoding="utf-8")).items() if name.startswith("price_")}
-
-
-def called(profile: str) -> dict[str, int]:
-    """Inclusive costs of the functions called, from a callgrind profile: `cfn=` names one, and below `calls=` stands its cost."""
-    names: dict[str, str] = {}
-    costs: dict[str, int] = {}
-    callee, expected = "", False
-    for line in profile.splitlines():
-        if match := re.match(r"c?fn=\((\d+)\)(?: (.*))?$", line):
-            name = names.setdefault(match[1], match[2] or "")
-            if line.startswith("cfn="):
-                callee = name
-        elif line.startswith("calls="):
-            expected = True
-        elif expected:
-            costs[callee] = costs.get(callee, 0) + int(line.split()[1])
-            expected = False
-    return costs
-
-
-def nanoseconds(price: pathlib.Path) -> dict[str, float]:
-    done = subprocess.run([str(price)], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=True)
-    return {name: float(value) for name, value in (line.split() for line in done.stdout.splitlines()) if name.startswith("price_")}

@@ -68,11 +68,7 @@ def made(lab: Lab, stage: pathlib.Path, *, trust: bool = False, way: str | None 
     if not good:
         raise Problem(f"the judge of lab {lab.number} does not build:\n{student.first_error(output)}")
 
-    seen = level(student.program(tree, "lantern_probe"), [ROOT / "solutions", ROOT / "tests", lab.solution_file], way)
-    if not seen.isolated and not trust:
-        raise Problem(f"the sandbox is {seen}.\nI run no code here that I do not trust. Install bubblewrap (apt-get install bubblewrap), or use a "
-                      "machine where it may make namespaces;\nor say --trust, if you trust each of the submissions with all that you may do here")
-
+    seen = isolation(lab, tree, trust, way)
     commands = json.loads((tree / "compile_commands.json").read_text(encoding="utf-8"))
     folder = stage / "kit"
     folder.mkdir()
@@ -97,6 +93,15 @@ def made(lab: Lab, stage: pathlib.Path, *, trust: bool = False, way: str | None 
         os.chmod(path, 0o755 if path.is_dir() else 0o644)
     os.chmod(folder, 0o755)
     return kit
+
+
+def isolation(lab: Lab, tree: pathlib.Path, trust: bool, way: str | None = None) -> Level:
+    """What the sandbox holds here. Refuses where students' code could not be isolated, unless `trust`."""
+    seen = level(student.program(tree, "lantern_probe"), [ROOT / "solutions", ROOT / "tests", lab.solution_file], way)
+    if not seen.isolated and not trust:
+        raise Problem(f"the sandbox is {seen}.\nI run no code here that I do not trust. Install bubblewrap (apt-get install bubblewrap), or use a "
+                      "machine where it may make namespaces;\nor say --trust, if you trust each of the submissions with all that you may do here")
+    return seen
 
 
 def options_of(commands: list[dict], target: str, tree: pathlib.Path, folder: pathlib.Path) -> list[str]:

@@ -70,13 +70,7 @@ def graded(kit: Kit, files: dict[str, bytes], box: Sandbox, seed: int, picture_f
     with tempfile.TemporaryDirectory(prefix="student-", dir=kit.folder.parent) as name:
         folder = pathlib.Path(name)
         os.chmod(folder, 0o711)
-        for path, data in files.items():
-            file = folder / "code" / path
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(data)
-        for path in (folder / "code").rglob("*"):
-            os.chmod(path, 0o755 if path.is_dir() else 0o644)
-        os.chmod(folder / "code", 0o755)
+        laid_out(files, folder / "code")
         try:
             worker = compiled(kit, files, box, folder)
             if keep_worker is not None:
@@ -94,6 +88,17 @@ def graded(kit: Kit, files: dict[str, bytes], box: Sandbox, seed: int, picture_f
         result["steps"] = [failed_step(kit, i) for i in range(len(kit.lab.steps))]
     result["seconds"] = round(time.monotonic() - began, 2)
     return result
+
+
+def laid_out(files: dict[str, bytes], folder: pathlib.Path) -> None:
+    """The files on the disk, readable for the sandbox's user."""
+    for path, data in files.items():
+        file = folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(data)
+    for path in folder.rglob("*"):
+        os.chmod(path, 0o755 if path.is_dir() else 0o644)
+    os.chmod(folder, 0o755)
 
 
 def verified(kit: Kit, box: Sandbox) -> Kit:

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: MIT
 """From measurements to figures and to sentences."""
 
+import statistics
 from typing import Any, Iterable
 
-from reporting import pieces
+import prices
+from reporting import judgement, pieces
 
 # What the slope of RMSE against samples must come to for many samples. Two numbers a sample, an edge across the square: only
 # the cells that it crosses are uncertain, hence -3/4 for every sampler that fills cells (docs/headers/exact_error.md). One number,
-# N strata: -1. N-rooks fill rows and columns alone: an edge at a slant gains nothing from that in the limit.
-THEORY = {1: {"random": -0.5}, 2: {"random": -0.5, "N-rooks": -0.5}}
-STRATIFIED = {1: -1.0, 2: -0.75}
+# N strata: -1. N-rooks fill rows and columns alone: an edge at a slant gains nothing from that in the limit. Four
+# numbers, two for each of two purposes that are shuffled against each other: what both together decide is left to chance, -1/2. Sobol's
+# points are spread in all four: an edge in n dimensions leaves -1/2 - 1/2n.
+THEORY = {1: {"random": -0.5}, 2: {"random": -0.5, "N-rooks": -0.5}, 4: {"Sobol": -0.625}}
+STRATIFIED = {1: -1.0, 2: -0.75, 4: -0.5}
 
 
 def theory(sampler: str, dimensions: int) -> float:
@@ -17,52 +21,89 @@ def theory(sampler: str, dimensions: int) -> float:
 
 
 def in_words(slope: float) -> str:
-    return {-0.5: "−1/2", -0.75: "−3/4", -1.0: "−1"}[slope]
+    return {-0.5: "−1/2", -0.625: "−5/8", -0.75: "−3/4", -1.0: "−1"}[slope]
 
 
-def digest(plan: list[pieces.Piece], answers: dict[str, Any], settings: dict, environment: dict) -> dict:
-    """Everything that the page shows, as one JSON value."""
+def digest(answers: dict[str, Any], settings: dict, environment: dict, own: list[dict], submissions: list[dict]) -> dict:
+    """Everything that the page shows, as one JSON value. `own` and `submissions` are what students.py measured, a header an entry."""
     effects = []
     for effect in pieces.EFFECTS:
-        curves = [curve(answers[f"{effect}, {sampler}"]) for sampler in pieces.SAMPLERS]
+        curves = [ours(answers[f"{effect}, {sampler}"]) for sampler in pieces.SAMPLERS]
         effects.append({"name": effect, "tells": curves[0]["tells"], "dimensions": curves[0]["dimensions"],
                         "pixels": curves[0]["pixels"], "curves": curves})
     for effect in effects:
         effect["sentence"] = sentence(effect)
     return {"environment": environment, "settings": settings, "effects": effects, "ladder": ladder(answers),
-            "accelerators": accelerators(answers), "stability": stability(answers), "leaving_out": leaving_out(answers)}
+            "accelerators": accelerators(answers), "stability": stability(answers), "prices": price_table(answers), "leaving_out": leaving_out(answers),
+            "own": [beside_ours(entry, effects) for entry in own],
+            "submissions": outliers([beside_ours(entry, effects) for entry in submissions])}
 
 
-def curve(answer: dict) -> dict:
-    """One sampler on one effect: what was measured, and what follows from it."""
+def ours(answer: dict) -> dict:
+    """One of our samplers on one effect: what was measured, and what follows from it."""
     one = dict(answer["curves"][0])
-    one["pixels"] = answer["width"] * answer["height"]
-    one["fitted_from"] = answer["fitted_from"]
-    one["theory"] = theory(one["sampler"], one["dimensions"])
-    one["largest_z"] = max((abs(row["z"]) for row in one["rows"]), default=0)
-    one["not_finite"] = sum(row["not_finite"] for row in one["rows"])
-    for row in one["rows"]:
-        row["seconds"] = row["samples"] * one["seconds_per_sample"] * one["pixels"]
-    one["half_error_costs"] = 2 ** (-1 / one["slope"]) if one["slope"] < 0 else None
-    one["seconds_to_one_percent"] = seconds_to(one["rows"], 0.01)
+    complete(one, answer, theory(one["sampler"], one["dimensions"]))
     one["verdict"] = verdict(one)
     return one
 
 
-def seconds_to(rows: list[dict], error: float) -> float | None:
-    """Along the line through the logarithms of the two nearest measurements, and of the last two beyond these."""
-    import math
-    if len(rows) < 2:
-        return None
-    k = 1
-    while k + 1 < len(rows) and rows[k]["rmse"] > error:
-        k += 1
-    before, after = rows[k - 1], rows[k]
-    if not 0 < after["rmse"] < before["rmse"]:
-        return None
-    steps = math.log(error / before["rmse"]) / math.log(after["rmse"] / before["rmse"])
-    return before["seconds"] * (after["seconds"] / before["seconds"]) ** steps
+def complete(one: dict, answer: dict, limit: float) -> None:
+    """Adds what follows from a curve's rows."""
+    one["pixels"] = answer["width"] * answer["height"]
+    one["fitted_from"], one["trials"] = answer["fitted_from"], answer["trials"]
+    one["theory"] = limit
+    one["largest_z"] = max((judgement.bias_z(row) for row in one["rows"]), default=0)
+    one["biased"] = any(judgement.is_biased(row, one["trials"]) for row in one["rows"])
+    one["not_finite"] = sum(row["not_finite"] for row in one["rows"])
+    per_sample = one["seconds_per_sample"]
+    for row in one["rows"]:
+        row["seconds"] = row["samples"] * per_sample * one["pixels"] if per_sample else None
+    one["half_error_costs"] = 2 ** (-1 / one["slope"]) if one["slope"] and one["slope"] < 0 else None
+    samples = one["samples_to_one_percent"]
+    reached = samples is not None and samples < 2 ** 40  # beyond, the line is too flat to be followed so far
+    one["seconds_to_one_percent"] = samples * per_sample * one["pixels"] if reached and per_sample else None
 
+
+# ---- Students' curves ----------------------------------------------------------------------------------------------
+
+def beside_ours(entry: dict, effects: list[dict]) -> dict:
+    """An entry of students.py with what its curves mean, beside ours of the same pictures."""
+    entry = {**entry, "curves": [theirs(one, effects) for one in entry["curves"]]}
+    return {**entry, "worst": judgement.worst(entry), "headline": judgement.headline(entry)}
+
+
+def theirs(measured: dict, effects: list[dict]) -> dict:
+    effect = next(each for each in effects if each["name"] == measured["effect"])
+    model = next(each for each in effect["curves"] if each["sampler"] == measured["beside"])
+    one = {**measured["curve"], **{key: measured[key] for key in ("pattern", "effect", "beside", "end")}}
+    making = one["making_seconds"]
+    points_a_sample = (one["dimensions"] + 1) // 2
+    # Rendering with points that are there, and the making of these.
+    one["seconds_per_sample"] = one["seconds_per_sample"] + making * points_a_sample if making is not None else None
+    complete(one, {"width": 1, "height": model["pixels"], "fitted_from": model["fitted_from"], "trials": model["trials"]}, model["theory"])
+    one["time_beside_ours"] = one["seconds_per_sample"] / model["seconds_per_sample"] if one["seconds_per_sample"] else None
+    one["rmse_beside_ours"] = judgement.beside(one["rows"], model)[0]
+    one["kind"], one["sentence"] = judgement.judge(one, model)
+    return one
+
+
+def outliers(entries: list[dict]) -> list[dict]:
+    """Marks what an instructor should look at: what is not sound, and what differs by more than 15 % from the class's median."""
+    ratios: dict[tuple[str, str], list[float]] = {}
+    for entry in entries:
+        for one in entry["curves"]:
+            if one["rmse_beside_ours"] and not one["end"]["kind"]:
+                ratios.setdefault((one["pattern"], one["effect"]), []).append(one["rmse_beside_ours"])
+    for entry in entries:
+        for one in entry["curves"]:
+            middle = statistics.median(ratios.get((one["pattern"], one["effect"]), [1.0]))
+            far = one["rmse_beside_ours"] is not None and not 1 / judgement.AS_GOOD <= one["rmse_beside_ours"] / middle <= judgement.AS_GOOD
+            one["outlier"] = far or one["kind"] not in judgement.GOOD
+        entry["outlier"] = bool(entry["message"]) or any(one["outlier"] for one in entry["curves"])
+    return entries
+
+
+# ---- Ours ----------------------------------------------------------------------------------------------------------
 
 def verdict(one: dict) -> str:
     """How the measured slope stands to theory."""
@@ -83,8 +124,8 @@ def sentence(effect: dict) -> str:
     """The curve of jittered samples, in words."""
     one = next(c for c in effect["curves"] if c["sampler"] == "jittered")
     aside = max(one["slope_high"] - one["slope"], one["slope"] - one["slope_low"])
-    bias = "no bias" if one["largest_z"] < 6 else f"a bias (z = {one['largest_z']:.1f})"
-    what = "an edge" if effect["dimensions"] == 2 else "one moment of change"
+    bias = "no bias" if not one["biased"] else f"a bias (z = {one['largest_z']:.1f})"
+    what = {1: "one moment of change", 2: "an edge", 4: "two purposes that are stratified each by itself"}[effect["dimensions"]]
     cost = f"half the error costs {one['half_error_costs']:.1f} times the time" if one["half_error_costs"] else "the error does not fall"
     best = min((c for c in effect["curves"] if c["seconds_to_one_percent"]), key=lambda c: c["seconds_to_one_percent"], default=None)
     first = f"Jittered samples: slope {one['slope']:.2f} ± {aside:.2f}; theory for {what} {in_words(one['theory'])}; {bias}; {cost}."
@@ -131,6 +172,12 @@ def stability(answers: dict[str, Any]) -> list[dict]:
     return list(groups.values())
 
 
+def price_table(answers: dict[str, Any]) -> list[dict]:
+    """Error and cost of the textbooks' formulas beside ours; nothing where the tests were not built."""
+    both = [answers.get(name, {}).get("cases") for name in ("stability of the textbook", "stability")]
+    return prices.table(*both, answers["prices"]) if all(both) and answers.get("prices") else []
+
+
 def leaving_out(answers: dict[str, Any]) -> list[dict]:
     """Instructions a sample: written by hand for the scene, trimmed at run time, and with everything on."""
     found = []
@@ -146,7 +193,11 @@ def rows(report: dict) -> Iterable[dict]:
     for effect in report["effects"]:
         for one in effect["curves"]:
             for row in one["rows"]:
-                yield {"effect": effect["name"], "sampler": one["sampler"], **row}
+                yield {"whose": "ours", "effect": effect["name"], "sampler": one["sampler"], **row}
+    for entry in report["own"] + report["submissions"]:
+        for one in entry["curves"]:
+            for row in one["rows"]:
+                yield {"whose": entry.get("cell", entry["name"]), "effect": one["effect"], "sampler": one["pattern"], **row}
 
 
 def complaints(report: dict) -> list[str]:
@@ -157,7 +208,7 @@ def complaints(report: dict) -> list[str]:
             name = f"{effect['name']}, {one['sampler']}"
             if one["not_finite"]:
                 found.append(f"{name}: {one['not_finite']} values are not finite")
-            if one["largest_z"] >= 6:
+            if one["biased"]:
                 found.append(f"{name}: a bias, z = {one['largest_z']:.1f}")
             if one["verdict"] == "not explained":
                 found.append(f"{name}: the slope is {one['slope']:.3f}, theory says {one['theory']}")

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The report as a page: one HTML file that needs no other, light or dark, wide or narrow."""
 
-import base64
 import csv
-import html
 import io
 import json
 import pathlib
@@ -12,7 +10,8 @@ import time
 import process
 import whole
 from labs import Problem
-from reporting import digest, pieces
+from reporting import digest, judgement, pieces, students_page
+from reporting.markup import duration, escape, figure, images, slug, svg, table
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c1c1e; --paper: #ffffff; --faint: #6b6b70; --line: #d9d9de; --grid: #e4e4e8; --card: #f6f6f8; --good: #1a7f37; --bad: #c22f2f; }
@@ -29,8 +28,9 @@ nav { display: flex; flex-wrap: wrap; gap: .4rem 1rem; } a { color: inherit; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(45%, 14rem), 1fr)); gap: .75rem; margin: 1rem 0; }
 figure { margin: 0; } figure img { width: 100%; image-rendering: pixelated; border: 1px solid var(--line); display: block; margin-top: .25rem; } figcaption { font-size: .85rem; color: var(--faint); }
 .table { overflow-x: auto; } table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; } th:first-child, td:first-child, td.text { text-align: left; } td.text { white-space: normal; min-width: 12rem; }
+th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; } th:first-child, td:first-child, .text { text-align: left; } td.text { white-space: normal; min-width: 12rem; }
 .bad { color: var(--bad); } .good { color: var(--good); }
+.gap { color: var(--faint); } pre { overflow-x: auto; font-size: .85rem; } details { margin: .75rem 0; } summary { cursor: pointer; }
 .card { background: var(--card); padding: .75rem 1rem; border-radius: .5rem; }
 """
 
@@ -38,7 +38,8 @@ th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align:
 def write(report: dict, folder: pathlib.Path, drawer: str) -> None:
     """report.json, report.csv and index.html, each whole or not at all."""
     whole.write(folder / "report.json", json.dumps(report, indent=1))
-    whole.write(folder / "report.csv", as_csv(report))
+    whole.write(folder / "report.csv", as_csv(list(digest.rows(report))))
+    whole.write(folder / "prices.csv", as_csv(report["prices"]))
     figures = folder / "figures"
     code, text = process.capture([drawer, str(pathlib.Path(__file__).parent / "plots.py"), str(folder / "report.json"), str(figures)])
     if code != 0:
@@ -46,22 +47,26 @@ def write(report: dict, folder: pathlib.Path, drawer: str) -> None:
     whole.write(folder / "index.html", page(report, folder))
 
 
-def as_csv(report: dict) -> str:
-    rows = list(digest.rows(report))
+def as_csv(rows: list[dict]) -> str:
+    """All rows have the same columns."""
     text = io.StringIO()
-    writer = csv.DictWriter(text, fieldnames=list(rows[0]))
+    writer = csv.DictWriter(text, fieldnames=list(rows[0]) if rows else [])
     writer.writeheader()
     writer.writerows(rows)
     return text.getvalue()
 
 
+NOT_BUILT = "<p>Not measured. With --quick only what is built already is measured here; without it, all.</p>"
+
 # ---- the page ---------------------------------------------------------------------------------------------------------
 
 
 def page(report: dict, folder: pathlib.Path) -> str:
-    sections = [("effects", "Effect by effect", effects), ("ladder", "The ladder of effects", ladder),
+    sections = [*([("own", "Your sampler", students_page.own)] if report["own"] else []),
+                *([("submissions", "All submissions", students_page.submissions)] if report["submissions"] else []),
+                ("effects", "Effect by effect", effects), ("ladder", "The ladder of effects", ladder),
                 ("accelerators", "Accelerators", accelerators), ("stability", "Stiff and extreme cases", stability),
-                ("leaving-out", "What is left out", leaving_out),
+                ("prices", "What being right costs", price_table), ("leaving-out", "What is left out", leaving_out),
                 ("setting", "How it was measured", setting)]
     links = "".join(f'<a href="#{name}">{title}</a>' for name, title, _ in sections)
     body = "".join(f'<section id="{name}"><h2>{title}</h2>{make(report, folder)}</section>' for name, title, make in sections)
@@ -74,10 +79,6 @@ def page(report: dict, folder: pathlib.Path) -> str:
             f'{warnings(report)}<nav>{links}</nav>{body}</body></html>')
 
 
-def escape(text: object) -> str:
-    return html.escape(str(text))
-
-
 def warnings(report: dict) -> str:
     lines = digest.complaints(report)
     if not lines:
@@ -85,52 +86,19 @@ def warnings(report: dict) -> str:
     return '<div class="card bad"><p>Look at this first:</p><ul>' + "".join(f"<li>{escape(line)}</li>" for line in lines) + "</ul></div>"
 
 
-def svg(name: str, folder: pathlib.Path) -> str:
-    return f'<div>{(folder / "figures" / f"{name}.svg").read_text(encoding="utf-8")}</div>'
-
-
-def images(names: list[str], caption: str, folder: pathlib.Path) -> str:
-    """Pictures above each other, with one caption."""
-    text = ""
-    for name in names:
-        data = base64.b64encode((folder / "pictures" / f"{name}.png").read_bytes()).decode()
-        text += f'<img alt="{escape(name.replace("_", " "))}" src="data:image/png;base64,{data}">'
-    return f"<figure>{text}<figcaption>{escape(caption)}</figcaption></figure>"
-
-
-def figure(x: float | None, pattern: str = "{:.3g}") -> str:
-    return "–" if x is None else pattern.format(x).replace("-", "−")
-
-
-def duration(seconds: float | None) -> str:
-    if seconds is None:
-        return "–"
-    for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6)):
-        if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds / 1e-9:.3g} ns"
-
-
-def table(head: list[str], rows: list[list[str]]) -> str:
-    """Cells are HTML. A cell that begins with "~" is text, and may be broken into lines."""
-    def cell(text: str) -> str:
-        return f'<td class="text">{text[1:]}</td>' if text.startswith("~") else f"<td>{text}</td>"
-    return ('<div class="table"><table><thead><tr>' + "".join(f"<th>{name}</th>" for name in head) + "</tr></thead><tbody>" +
-            "".join("<tr>" + "".join(map(cell, row)) + "</tr>" for row in rows) + "</tbody></table></div>")
-
-
 def effects(report: dict, folder: pathlib.Path) -> str:
     settings = report["settings"]
     fitted = report["effects"][0]["curves"][0]["fitted_from"]
     text = (f'<p>RMSE is the root mean square error over the pixels of a picture and over {settings["trials"]} renderings with '
             f'different seeds; the bands hold it with a confidence of 95 % (bootstrap over the seeds). Slopes are fitted from {fitted} samples '
-            f'on. Lines without marks are predictions from closed forms, and marks without lines what was measured beside them. Red in the error '
+            f'on. z tells a bias from noise: how many standard errors it is away from 0, of the mean over the picture or of its pixels by themselves, '
+            f'whichever is more. Noise alone passes 6 in pixels, and {figure(judgement.limit(settings["trials"]), "{:.1f}")} in means, once in 40 000 measurements. Lines without marks are predictions from closed forms, and marks without lines what was measured beside them. Red in the error '
             f'pictures is too bright, blue too dark; the colours of all three are stretched as theory says that the error shrinks.</p>')
     for effect in report["effects"]:
-        slug = effect["name"].replace(" ", "_")
-        pictures = images([f"{slug}_exact"], "exact", folder)
+        name = slug(effect["name"])
+        pictures = images([f"{name}_exact"], "exact", folder)
         for n in pieces.shown(settings["most"]):
-            pictures += images([f"{slug}_{n}", f"{slug}_{n}_error"], f"{n} samples, and their error", folder)
+            pictures += images([f"{name}_{n}", f"{name}_{n}_error"], f"{n} samples, and their error", folder)
         rows = []
         for one in effect["curves"]:
             good = one["verdict"] != "not explained"
@@ -139,10 +107,10 @@ def effects(report: dict, folder: pathlib.Path) -> str:
                          f'~<span class="{"good" if good else "bad"}">{escape(one["verdict"])}</span>', figure(one["largest_z"], "{:.1f}"),
                          duration(one["seconds_per_sample"]), figure(one["half_error_costs"], "{:.1f} ×"),
                          duration(one["seconds_to_one_percent"])])
-        text += (f'<h3 id="{slug}">{escape(effect["name"].capitalize())}</h3><p class="faint">{escape(effect["tells"])}</p>'
+        text += (f'<h3 id="{name}">{escape(effect["name"].capitalize())}</h3><p class="faint">{escape(effect["tells"])}</p>'
                  f'<p class="sentence">{escape(effect["sentence"])}</p><div class="pictures">{pictures}</div>'
-                 f'<div class="plots">{svg(slug + "_time", folder)}{svg(slug + "_samples", folder)}</div>'
-                 + table(["samples", "slope, 95 %", "theory", "largest |z|", "a sample", "half the error", "to RMSE 1 %"], rows))
+                 f'<div class="plots">{svg(name + "_time", folder)}{svg(name + "_samples", folder)}</div>'
+                 + table(["samples", "slope, 95 %", "~theory", "largest z", "a sample", "half the error", "to RMSE 1 %"], rows))
     return text
 
 
@@ -154,7 +122,7 @@ def ladder(report: dict, folder: pathlib.Path) -> str:
     return (f'<p>The same scene, with one effect more on each line; {report["ladder"]["samples"]} jittered samples a pixel. What a line leaves '
             f'out is left out by its types: it draws no numbers for it and holds no code for it.</p>'
             f'<div class="plots">{svg("ladder", folder)}</div>'
-            + table(["", "numbers", "instructions", "time", "RMSE", "predicted", "left out"], rows))
+            + table(["", "numbers", "instructions", "time", "RMSE", "predicted", "~left out"], rows))
 
 
 def accelerators(report: dict, folder: pathlib.Path) -> str:
@@ -171,22 +139,42 @@ def accelerators(report: dict, folder: pathlib.Path) -> str:
 
 def stability(report: dict, folder: pathlib.Path) -> str:
     if not report["stability"]:
-        return "<p>Not measured: the tests were not built. ./lab test builds them; then ./lab report again.</p>"
+        return NOT_BUILT
     rows = [[escape(group["group"]), str(group["cases"]), str(group["wrong"]), figure(group["ulp_max"], "{:.2f}"),
              "~" + (f'<span class="bad">{escape(", ".join(group["failed"]))}</span>' if group["failed"] else '<span class="good">all pass</span>')]
             for group in report["stability"]]
     return ("<p>Cases of 256 variants each, against truths of 40 digits and against laws. An ulp is the distance to the next float; half of one is all "
-            "that rounding a right answer costs.</p>" + table(["", "cases", "wrong answers", "largest error, ulp", "verdict"], rows)
-            + '<p class="faint">Case by case, and what being right costs: ./lab stress.</p>')
+            "that rounding a right answer costs.</p>" + table(["", "cases", "wrong answers", "largest error, ulp", "~verdict"], rows)
+            + '<p class="faint">Case by case: ./lab stress.</p>')
+
+
+def price_table(report: dict, folder: pathlib.Path) -> str:
+    if not report["prices"]:
+        return NOT_BUILT
+    counted = report["settings"]["valgrind"]
+    unit = "instructions" if counted else "nanoseconds"
+    rows = [[escape(row["formula"]), wrong(row["textbook_wrong"]), figure(row["textbook_ulp_max"]), figure(row["textbook_cost"], "{:.0f}"),
+             wrong(row["ours_wrong"]), figure(row["ours_ulp_max"]), figure(row["ours_cost"], "{:.0f}"), figure(row["ratio"], "{:.2f} ×")]
+            for row in report["prices"]]
+    return (f"<p>Every formula twice: as the textbooks have it, in float, and as the library has it. Wrong are answers of the scorecard's cases, stiff and extreme "
+            f"ones, that are decided wrongly or are not finite; an error is that of the right ones, in ulp. What a call costs is measured with everyday input, half of it "
+            f"hits: {unit}{', counted' if counted else ''}.</p>"
+            + table(["", "textbook: wrong", "largest error, ulp", unit, "ours: wrong", "largest error, ulp", unit, "costs"], rows)
+            + ("" if counted else '<p class="faint">valgrind is not here to count instructions: these are times, and no two runs agree on them.</p>'))
+
+
+def wrong(count: int) -> str:
+    return f'<span class="bad">{count}</span>' if count else "0"
 
 
 def leaving_out(report: dict, folder: pathlib.Path) -> str:
     if not report["leaving_out"]:
-        return "<p>Not measured: that takes valgrind, and the tests built (./lab test).</p>"
+        return NOT_BUILT if report["settings"]["valgrind"] else "<p>Not measured: that takes valgrind.</p>"
     rows = [[escape(row["scene"]), figure(row["stripped"], "{:.0f}"), figure(row["trimmed"], "{:.0f}"),
              figure(100 * (row["trimmed"] / row["stripped"] - 1), "{:+.1f} %"), figure(row["everything"], "{:.0f}")] for row in report["leaving_out"]]
     return ("<p>Instructions a sample, of four spheres: a kernel written by hand for the scene; the scene, chosen at run time and cut down by "
-            "<code>trim</code>; and the types that hold everything. All three make the same picture, bit for bit, and what is absent draws no numbers.</p>"
+            "<code>trim</code>; and the types that hold everything. All three make the same picture, bit for bit, and what is absent draws no numbers. A few per cent either way are the compiler's: which "
+            "values it keeps in registers.</p>"
             + table(["scene has", "by hand", "trimmed", "", "everything"], rows))
 
 
@@ -196,4 +184,4 @@ def setting(report: dict, folder: pathlib.Path) -> str:
     rows += [["trials", "~" + str(settings["trials"])], ["first seed", "~" + str(settings["seed"])], ["threads", "~1 for times; errors do not depend on them"]]
     return ('<p>Errors and times are measured in separate runs. Times are those of the processor, for one thread, the median of five; '
             'other programs on the same machine still make them longer, the errors never.</p>' + table(["", ""], rows) +
-            '<p class="faint">The same figures: report.csv, report.json.</p>')
+            '<p class="faint">The same figures: report.csv, prices.csv, report.json.</p>')

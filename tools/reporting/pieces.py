@@ -10,12 +10,14 @@ import subprocess
 from dataclasses import dataclass, field
 from typing import Any, Callable
 
+import callgrind
+import prices
 import process
 import whole
 from labs import Problem
 from process import ROOT
 
-EFFECTS = ["antialiasing", "soft shadow", "gloss", "depth of field", "motion blur"]
+EFFECTS = ["antialiasing", "soft shadow", "gloss", "depth of field", "motion blur", "two effects at once"]
 SAMPLERS = ["random", "N-rooks", "jittered", "multi-jittered", "correlated multi-jittered", "Halton", "Sobol"]
 
 
@@ -25,20 +27,39 @@ def shown(most: int) -> list[int]:
     return [numbers[1], numbers[len(numbers) // 2], numbers[-1]]
 
 
+@dataclass(frozen=True)
+class Counting:
+    """What callgrind is to count: all, or what happens within functions; each function by itself, besides."""
+    within: str = ""
+    by_function: bool = False
+
+
 @dataclass
 class Piece:
-    """One program's answer. `command` is run when `key` has no answer yet; `read` makes JSON of what it printed."""
+    """One program's answer. `command` is run when its key has no answer yet; `read` makes JSON of what it printed, or of the count."""
     section: str
     name: str
     command: list[str]
     seconds: float = 1  # a guess, for the progress bar
-    read: Callable[[str], Any] = json.loads
+    read: Callable[[Any], Any] = json.loads
     files: list[pathlib.Path] = field(default_factory=list)  # what it writes besides
+    counting: Counting | None = None
+    codes: tuple[int, ...] = (0,)  # exit codes with which there is an answer
+    follows: str = ""              # from what else the answer follows
 
 
 STRUCTURES = ["every", "bvh", "bvh middle", "bvh median", "bvh bottom_up", "grid", "octree", "kd_tree", "wide_bvh"]
 KERNELS = ["stripped", "trimmed", "everything"]  # as in tests/trim_kernels.cpp
 TRIMMED = ["static", "lens", "motion", "gloss", "shadow", "all"]
+RUNGS = 6  # of the ladder, as in bench/ladder.cpp
+
+
+# Programs of the tests that measure, too. The last one is for GCC alone.
+TESTS = {"stress": "stress/stress", "stress_price": "stress/stress_price", "trim_kernels": "trim_kernels"}
+
+
+def built_tests(tree: pathlib.Path) -> list[str]:
+    return [name for name, path in TESTS.items() if (tree / "tests" / path).is_file()]
 
 
 def plan(settings: dict, tree: pathlib.Path, pictures: pathlib.Path) -> list[Piece]:
@@ -60,35 +81,37 @@ def plan(settings: dict, tree: pathlib.Path, pictures: pathlib.Path) -> list[Pie
     rungs = settings["renderings"]
     pieces.append(Piece("ladder", "the ladder of effects", [str(programs / "ladder"), "--json", "--renderings", str(rungs)], 5))
     if settings["valgrind"]:
-        for rung in range(len(EFFECTS) + 1):
+        for rung in range(RUNGS):
             for renderings in (100, 600):
                 pieces.append(Piece("ladder", f"instructions of rung {rung}, {renderings} renderings",
-                                    ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(programs / "ladder"),
-                                     "--rung", str(rung), "--renderings", str(renderings)], 2, instructions))
+                                    [str(programs / "ladder"), "--rung", str(rung), "--renderings", str(renderings)], 2, all_of, counting=Counting()))
     triangles = str(settings["triangles"])
     pieces.append(Piece("accelerators", "accelerators",
                         [str(programs / "trace"), "--json", "--scene", "terrain", "--structure", ",".join(STRUCTURES), "--triangles", triangles,
                          "--rays", triangles, "--rounds", "3"], settings["triangles"] / 2000))
-    if settings["tests"]:
-        pieces.append(Piece("stability", "stability", [str(tree / "tests" / "stress" / "stress"), "--json"], 15))
+    stress = tree / "tests" / "stress"
+    if "stress" in settings["tests"]:
+        for name, adapter in (("stability", "library"), ("stability of the textbook", "textbook")):
+            pieces.append(Piece("stability", name, [str(stress / "stress"), "--json", "--adapter", adapter], 15, codes=(0, 1)))  # 1: a case fails
+    if "stress_price" in settings["tests"]:
         if settings["valgrind"]:
-            for scene in TRIMMED:
-                for kernel in KERNELS:
-                    pieces.append(Piece("leaving out", f"leaving out: {scene}, {kernel}",
-                                        ["valgrind", "--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null",
-                                         str(tree / "tests" / "trim_kernels"), scene, kernel, str(TRIM_SIDE)], 1, instructions))
+            pieces.append(Piece("stability", "prices", [str(stress / "stress_price"), "once"], 2,
+                                lambda count: prices.of_calls(count.called), counting=Counting(by_function=True)))
+        else:
+            pieces.append(Piece("stability", "prices", [str(stress / "stress_price")], 2, prices.nanoseconds))
+    if "trim_kernels" in settings["tests"] and settings["valgrind"]:
+        for scene in TRIMMED:
+            for kernel in KERNELS:
+                pieces.append(Piece("leaving out", f"leaving out: {scene}, {kernel}", [str(tree / "tests" / "trim_kernels"), scene, kernel, str(TRIM_SIDE)],
+                                    1, all_of, counting=Counting("*measured*")))
     return pieces
 
 
+def all_of(count: callgrind.Count) -> int:
+    return count.instructions
+
+
 TRIM_SIDE = 12  # the kernels take four samples for each of its square of pixels
-
-
-def instructions(text: str) -> int:
-    """The figure that callgrind ends with."""
-    for line in text.splitlines():
-        if "Collected" in line:
-            return int(line.split(":")[1])
-    raise Problem("callgrind counted nothing; it said:\n" + text)
 
 
 class Store:
@@ -101,7 +124,8 @@ class Store:
         self._hashes: dict[str, str] = {}
 
     def _path(self, piece: Piece) -> pathlib.Path:
-        words = []
+        words = [repr(piece.counting)] if piece.counting else []
+        words += [piece.follows] if piece.follows else []
         for word in piece.command:
             path = pathlib.Path(word)
             is_program = path.is_absolute() and path.is_file() and os.access(path, os.X_OK)
@@ -129,16 +153,26 @@ def measure(piece: Piece, store: Store) -> Any:
     """The stored answer, or a new one."""
     answer = store.get(piece)
     if answer is None:
-        done = subprocess.run(piece.command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
-        if done.returncode != 0:
-            raise Problem(f"{piece.name}: this command failed with exit code {done.returncode}:\n  {' '.join(piece.command)}\n{done.stderr}")
-        text = done.stderr if piece.read is instructions else done.stdout  # valgrind speaks beside the program
+        said = output(piece)
         try:
-            answer = piece.read(text)
+            answer = piece.read(said)
         except (ValueError, IndexError) as error:
-            raise Problem(f"{piece.name}: the answer cannot be read ({error}):\n{text[:500]}") from error
+            raise Problem(f"{piece.name}: the answer cannot be read ({error}):\n{str(said)[:500]}") from error
         store.put(piece, answer)
     return answer
+
+
+def output(piece: Piece) -> Any:
+    """What the program printed, or the count of its instructions."""
+    if piece.counting:
+        try:
+            return callgrind.count(piece.command, within=piece.counting.within, by_function=piece.counting.by_function)
+        except callgrind.Failed as problem:
+            raise Problem(f"{piece.name}: {problem}") from problem
+    done = subprocess.run(piece.command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
+    if done.returncode not in piece.codes:
+        raise Problem(f"{piece.name}: this command failed with exit code {done.returncode}:\n  {' '.join(piece.command)}\n{done.stderr}")
+    return done.stdout
 
 
 def environment(build: pathlib.Path) -> dict:

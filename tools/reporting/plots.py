@@ -48,6 +48,10 @@ def save(figure, name: str, title: str, folder: pathlib.Path) -> None:
     beside.replace(folder / f"{name}.svg")
 
 
+def slug(text: str) -> str:
+    return text.replace(" ", "_")
+
+
 def against_time(effect: dict, name: str, folder: pathlib.Path) -> None:
     figure, axes = plt.subplots()
     for one in effect["curves"]:
@@ -103,15 +107,101 @@ def ladder(report: dict, folder: pathlib.Path) -> None:
     save(figure, "ladder", "What each effect costs", folder)
 
 
+# ---- what students wrote ----------------------------------------------------------------------------------------------
+
+OWN = "#d6336c"
+ODD = ["#d6336c", "#e69f00", "#8f6be0", "#00a077", "#c2491d", "#56b4e9", "#a05a2c", "#7a8f00"]  # one after the other, with other marks in the next round
+MARKS = "osD^vPX*"
+
+
+def own(entry: dict, one: dict, effect: dict, folder: pathlib.Path) -> None:
+    """One curve of a student's, against time and against samples, before all of ours."""
+    for kind, key, text in (("time", "seconds", "seconds for the picture, one thread"), ("samples", "samples", "samples a pixel (below: slopes)")):
+        if not all(row[key] for row in one["rows"]):
+            continue
+        figure, axes = plt.subplots()
+        for model in effect["curves"]:
+            near = model["sampler"] == one["beside"]
+            axes.loglog([row[key] for row in model["rows"]], [row["rmse"] for row in model["rows"]], color=COLOURS[model["sampler"]] if near else INK,
+                        marker=MARKERS[model["sampler"]] if near else None, linewidth=1.5 if near else 0.8, alpha=1 if near else 0.3,
+                        label=f"ours, {model['sampler']}" + label_slope(model, kind) if near else "our other samplers" if model is other(effect, one) else None)
+        axes.loglog([row[key] for row in one["rows"]], [row["rmse"] for row in one["rows"]], color=OWN, marker="o", linewidth=2,
+                    label=f"yours, {one['pattern']}" + label_slope(one, kind))
+        axes.fill_between([row[key] for row in one["rows"]], [row["rmse_low"] for row in one["rows"]], [row["rmse_high"] for row in one["rows"]],
+                          color=OWN, alpha=0.2, linewidth=0)
+        hidden = [(row[key], row["pixel_bias"]) for row in one["rows"] if row["pixel_z"] >= 6]
+        if hidden:
+            axes.loglog(*zip(*hidden), color=OWN, linestyle=":", marker="x", linewidth=1.2, label="yours: the bias in it")
+        axes.set_xlabel(text)
+        axes.set_ylabel("RMSE")
+        axes.legend(**BELOW)
+        save(figure, f"own_{entry['lab']}_{slug(one['pattern'])}_{slug(one['effect'])}_{kind}",
+             f"{one['effect']}, your sampler {one['pattern']}: RMSE against {'seconds' if kind == 'time' else 'samples'}", folder)
+
+
+def other(effect: dict, one: dict) -> dict:
+    """The first of our curves that is not the one beside it: all others share its label."""
+    return next(model for model in effect["curves"] if model["sampler"] != one["beside"])
+
+
+def label_slope(one: dict, kind: str) -> str:
+    return f": {one['slope']:.2f}".replace("-", "−") if kind == "samples" and one["slope"] is not None else ""
+
+
+def everyone(report: dict, pattern: str, effect: dict, folder: pathlib.Path) -> None:
+    """All submissions in one figure: those to be looked at in colours and by name, the others thin."""
+    figure, axes = plt.subplots()
+    entries = [(entry, one) for entry in report["submissions"] for one in entry["curves"]
+               if one["pattern"] == pattern and one["effect"] == effect["name"] and one["rows"]]
+    few = len(report["submissions"]) <= len(ODD)  # then everybody has a colour
+    named = [entry["name"] for entry in report["submissions"] if few or entry["outlier"]]  # the same colour in all figures
+    beside = entries[0][1]["beside"]
+    for model in effect["curves"]:
+        if model["sampler"] in ("random", beside):
+            axes.loglog([row["samples"] for row in model["rows"]], [row["rmse"] for row in model["rows"]], color=COLOURS[model["sampler"]], linewidth=3,
+                        alpha=0.5, label=f"ours, {model['sampler']}" + label_slope(model, "samples"))
+    thin = 0
+    for entry, one in sorted(entries, key=lambda each: each[1]["outlier"]):
+        samples, errors = [row["samples"] for row in one["rows"]], [row["rmse"] for row in one["rows"]]
+        if few or one["outlier"]:
+            place = named.index(entry["name"])
+            colour, mark = ODD[place % len(ODD)], MARKS[place // len(ODD) % len(MARKS)]
+            axes.loglog(samples, errors, color=colour, marker=mark if one["outlier"] else None, linewidth=1.5 if one["outlier"] else 0.9,
+                        label=shown(entry["name"]) + label_slope(one, "samples") + ("  ●" if few and one["outlier"] else ""))
+        else:
+            thin += 1
+            axes.loglog(samples, errors, color=INK, linewidth=0.7, alpha=0.5, label="the others" if thin == 1 else None)
+    axes.set_title(effect["name"] + ("" if pattern_is_only(report) else f", {pattern}"), fontsize=10)
+    axes.set_xlabel("samples a pixel (below: slopes)")
+    axes.set_ylabel("RMSE")
+    axes.legend(**BELOW)
+    save(figure, f"all_{slug(pattern)}_{slug(effect['name'])}", f"{effect['name']}, all submissions: RMSE against samples", folder)
+
+
+def pattern_is_only(report: dict) -> bool:
+    return len({one["pattern"] for entry in report["submissions"] for one in entry["curves"]}) == 1
+
+
+def shown(name: str) -> str:
+    """A name as a label: matplotlib reads dollars as mathematics and leaves out what begins with an underscore."""
+    return ("\u200b" + name[:24] + ("…" if len(name) > 24 else "")).replace("$", "\\$")
+
+
 def main() -> None:
     report = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
     folder = pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    for effect in report["effects"]:
-        slug = effect["name"].replace(" ", "_")
-        against_time(effect, f"{slug}_time", folder)
-        against_samples(effect, f"{slug}_samples", folder)
+    effects = {effect["name"]: effect for effect in report["effects"]}
+    for name, effect in effects.items():
+        against_time(effect, f"{slug(name)}_time", folder)
+        against_samples(effect, f"{slug(name)}_samples", folder)
     ladder(report, folder)
+    for entry in report["own"]:
+        for one in entry["curves"]:
+            if one["rows"]:
+                own(entry, one, effects[one["effect"]], folder)
+    for pattern, name in dict.fromkeys((one["pattern"], one["effect"]) for entry in report["submissions"] for one in entry["curves"] if one["rows"]):
+        everyone(report, pattern, effects[name], folder)
 
 
 if __name__ == "__main__":
