@@ -15,7 +15,7 @@ USAGE = "release DIR [--labs NN...] [--no-build]"
 
 # What a course keeps for itself.
 KEPT = re.compile(r"solutions/|grading/|tests/support/hidden\.hpp|tests/grading/|tools/grading/|tests/labs/[^/]+/(mutants/|hidden\.cpp)|labs/[^/]+/grading\.json|\.ci/|"
-                  r"tests/labs/((tools|loop|explain)_test\.py|untold/)|tools/lab_test\.py|tools/new_lab/|tools/commands/(grade|pack|release|new|mutants|starters)\.py|docs/(labs|instructors)\.md")
+                  r"tests/labs/((tools|loop|explain)_test\.py|untold/)|tests/report/students_test\.py|tools/reporting/submissions\.py|tools/lab_test\.py|tools/new_lab/|tools/commands/(grade|pack|release|new|mutants|starters)\.py|docs/(labs|instructors)\.md")
 
 
 def run(arguments: list[str]) -> int:
