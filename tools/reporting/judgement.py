@@ -158,6 +158,8 @@ def headline(entry: dict) -> str:
     patterns = {each["pattern"] for each in curves}
     where = ", ".join(dict.fromkeys(one["effect"] if len(patterns) == 1 else f"{one['effect']} ({one['pattern']})" for one in bad))
     words = {"worse": "A larger error than ours", "slow": "Slow", "biased": "Biased", "repeats": "The seed does nothing", "broken": "Broken", "gap": "Still to do"}
+    if len(curves) == 1 and curves[0]["end"]["kind"] == "time":
+        return f"{words[kind]}. {ended(curves[0])} The other pictures were not tried."
     text = f"{words[kind]} in " + (f"all {len(curves)} pictures." if len(bad) == len(curves) else f"{len(bad)} of {len(curves)} pictures: {where}.")
     if kind in ("broken", "gap"):
         text += " " + (ended(bad[0]) if kind == "broken" else f"{bad[0]['end']['says'].rstrip('.')}.")

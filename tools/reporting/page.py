@@ -89,11 +89,14 @@ def warnings(report: dict) -> str:
 def effects(report: dict, folder: pathlib.Path) -> str:
     settings = report["settings"]
     fitted = report["effects"][0]["curves"][0]["fitted_from"]
-    text = (f'<p>RMSE is the root mean square error over the pixels of a picture and over {settings["trials"]} renderings with '
-            f'different seeds; the bands hold it with a confidence of 95 % (bootstrap over the seeds). Slopes are fitted from {fitted} samples '
-            f'on. z tells a bias from noise: how many standard errors it is away from 0, of the mean over the picture or of its pixels by themselves, '
-            f'whichever is more. Noise alone passes 6 in pixels, and {figure(judgement.limit(settings["trials"]), "{:.1f}")} in means, once in 40 000 measurements. Lines without marks are predictions from closed forms, and marks without lines what was measured beside them. Red in the error '
-            f'pictures is too bright, blue too dark; the colours of all three are stretched as theory says that the error shrinks.</p>')
+    limit = figure(judgement.limit(settings["trials"]), "{:.1f}")
+    text = (f'<p>RMSE is the root mean square error over the pixels of a picture and over {settings["trials"]} renderings with different seeds; the bands hold it with a '
+            f'confidence of 95 % (bootstrap over the seeds). Lines without marks are predictions from closed forms, and marks without lines what was measured beside them. '
+            f'Red in the error pictures is too bright, blue too dark; the colours of all three are stretched as theory says that the error shrinks.</p>'
+            f'<p><em>Slopes</em> are fitted from {fitted} samples on. Intervals from so few renderings hold the truth about nine times in ten, so {digest.SLACK} more is granted. '
+            f'Theory is about many samples: a slope outside its interval but within {digest.near(settings["most"])} of theory is called near it.</p>'
+            f'<p><em>z</em> tells a bias from noise: how many standard errors it is away from 0, of the mean over the picture or of the pixels by themselves, whichever is '
+            f'more. Noise alone passes {limit} in a mean, and {judgement.SURE} in the pixels, once in 40 000 measurements.</p>')
     for effect in report["effects"]:
         name = slug(effect["name"])
         pictures = images([f"{name}_exact"], "exact", folder)
@@ -131,7 +134,7 @@ def accelerators(report: dict, folder: pathlib.Path) -> str:
              figure(row["breaks_even"], "{:.0f}"), f"{row['wrong']:.0f} of {row['checked']}"] for row in report["accelerators"]]
     triangles = report["accelerators"][0]["triangles"]
     return (f"<p>A terrain of {triangles} triangles, rays through the pixels of a picture, one thread. A structure breaks even after as many rays as make up "
-            f"for its building, against trying every triangle. All find the same hits: wrong are answers that brute force contradicts, wherever two "
+            f"for its building, against trying every triangle. All must find the same hits: wrong are answers that brute force contradicts, wherever two "
             f"structures disagree and at some other rays.</p>"
             + table(["", "nodes a ray", "tests a ray", "a ray", "building", "bytes a triangle", "breaks even at", "wrong"], rows)
             + '<p class="faint">More scenes, sizes and rays, and Embree: ./lab bench trace.</p>')

@@ -52,6 +52,11 @@ def slug(text: str) -> str:
     return text.replace(" ", "_")
 
 
+def label_slope(one: dict, kind: str) -> str:
+    """Its slope, for the legend of a plot against samples; no hyphen for a minus."""
+    return f": {one['slope']:.2f}".replace("-", "−") if kind == "samples" and one["slope"] is not None else ""
+
+
 def against_time(effect: dict, name: str, folder: pathlib.Path) -> None:
     figure, axes = plt.subplots()
     for one in effect["curves"]:
@@ -72,7 +77,7 @@ def against_samples(effect: dict, name: str, folder: pathlib.Path) -> None:
         samples = [row["samples"] for row in one["rows"]]
         colour = COLOURS[one["sampler"]]
         axes.loglog(samples, [row["rmse"] for row in one["rows"]], color=colour, marker=MARKERS[one["sampler"]],
-                    label=f"{one['sampler']}: {one['slope']:.2f}".replace("-", "−"), linestyle="none" if one["predicted_slope"] else "-")
+                    label=one["sampler"] + label_slope(one, "samples"), linestyle="none" if one["predicted_slope"] else "-")
         axes.fill_between(samples, [row["rmse_low"] for row in one["rows"]], [row["rmse_high"] for row in one["rows"]], color=colour,
                           alpha=0.2, linewidth=0)
         if one["predicted_slope"]:
@@ -142,10 +147,6 @@ def own(entry: dict, one: dict, effect: dict, folder: pathlib.Path) -> None:
 def other(effect: dict, one: dict) -> dict:
     """The first of our curves that is not the one beside it: all others share its label."""
     return next(model for model in effect["curves"] if model["sampler"] != one["beside"])
-
-
-def label_slope(one: dict, kind: str) -> str:
-    return f": {one['slope']:.2f}".replace("-", "−") if kind == "samples" and one["slope"] is not None else ""
 
 
 def everyone(report: dict, pattern: str, effect: dict, folder: pathlib.Path) -> None:

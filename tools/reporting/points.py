@@ -94,7 +94,7 @@ def how(status: int, long: bool, begun: bool, words: str) -> End:
     number."""
     number = -status if status < 0 else status - 128 if 128 < status < 160 else 0
     if not begun and (number == signal.SIGPIPE or status == 0):
-        return End("early", "it ended, or printed something, before it was asked for anything")
+        return End("early", "it printed something, or went away, before it was asked for anything")
     last = words.strip().splitlines()[-1] if words.strip() else ""
     if number == signal.SIGXCPU or long and number == signal.SIGKILL:
         return End("time")
@@ -111,4 +111,4 @@ def how(status: int, long: bool, begun: bool, words: str) -> End:
         return End("gap", last[:300])
     if status == 3:
         return End("threw", last[:300])
-    return End("early", f"it ended by itself, with exit code {status}")
+    return End("early", f"by itself, with exit code {status}")
