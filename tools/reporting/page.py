@@ -151,16 +151,24 @@ def stability(report: dict, folder: pathlib.Path) -> str:
             + '<p class="faint">Case by case: ./lab stress.</p>')
 
 
+FORMULAS = {"sphere": "a ray and a sphere", "triangle": "a ray and a triangle", "plane": "a ray and a plane", "box": "a ray and a box",
+            "basis": "a basis around a vector", "refraction": "a refracted ray", "leave": "leaving a surface", "mean": "the mean of samples"}
+
+
 def price_table(report: dict, folder: pathlib.Path) -> str:
     if not report["prices"]:
         return NOT_BUILT
     counted = report["settings"]["valgrind"]
     unit = "instructions" if counted else "nanoseconds"
-    rows = [[escape(row["formula"]), wrong(row["textbook_wrong"]), figure(row["textbook_ulp_max"]), figure(row["textbook_cost"], "{:.0f}"),
-             wrong(row["ours_wrong"]), figure(row["ours_ulp_max"]), figure(row["ours_cost"], "{:.0f}"), figure(row["ratio"], "{:.2f} ×")]
-            for row in report["prices"]]
+    rows = []
+    for row in report["prices"]:
+        decides = row["textbook_ulp_max"] == 0 and row["ours_ulp_max"] == 0  # and computes nothing that is rounded
+        ulps = [None if decides else row[f"{who}_ulp_max"] for who in ("textbook", "ours")]
+        rows.append([escape(FORMULAS.get(row["formula"], row["formula"])), wrong(row["textbook_wrong"]), figure(ulps[0], "{:.2g}"),
+                     figure(row["textbook_cost"], "{:.0f}"), wrong(row["ours_wrong"]), figure(ulps[1], "{:.2g}"), figure(row["ours_cost"], "{:.0f}"),
+                     figure(row["ratio"], "{:.2f} ×")])
     return (f"<p>Every formula twice: as the textbooks have it, in float, and as the library has it. Wrong are answers of the scorecard's cases, stiff and extreme "
-            f"ones, that are decided wrongly or are not finite; an error is that of the right ones, in ulp. What a call costs is measured with everyday input, half of it "
+            f"ones, that are decided wrongly or are not finite; an error is that of the others, in ulp; where only yes or no is asked there is none. What a call costs is measured with everyday input, half of it "
             f"hits: {unit}{', counted' if counted else ''}.</p>"
             + table(["", "textbook: wrong", "largest error, ulp", unit, "ours: wrong", "largest error, ulp", unit, "costs"], rows)
             + ("" if counted else '<p class="faint">valgrind is not here to count instructions: these are times, and no two runs agree on them.</p>'))

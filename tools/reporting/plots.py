@@ -107,6 +107,7 @@ def ladder(report: dict, folder: pathlib.Path) -> None:
                       fontsize=8.5)
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)
+    axes.set_axisbelow(True)
     axes.set_xlim(0, 1.35 * max(values))
     axes.set_xlabel("instructions a sample" if counted else "nanoseconds a sample")
     save(figure, "ladder", "What each effect costs", folder)
