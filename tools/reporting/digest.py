@@ -131,15 +131,14 @@ def verdict(one: dict) -> str:
 def sentence(effect: dict) -> str:
     """The curve of jittered samples, in words."""
     one = next(c for c in effect["curves"] if c["sampler"] == "jittered")
-    aside = max(one["slope_high"] - one["slope"], one["slope"] - one["slope_low"])
     bias = "no bias" if not one["biased"] else f"a bias (z = {one['largest_z']:.1f})"
     what = {1: "one moment of change", 2: "an edge", 4: "two purposes that are stratified each by itself"}[effect["dimensions"]]
     cost = f"half the error costs {one['half_error_costs']:.1f} times the time" if one["half_error_costs"] else "the error does not fall"
     best = min((c for c in effect["curves"] if c["seconds_to_one_percent"]), key=lambda c: c["seconds_to_one_percent"], default=None)
     slopes = {c["sampler"]: c["slope"] for c in effect["curves"]}
     both = (" What decides is both together, and strata for each purpose by itself are of little use; Sobol's points are spread in all four dimensions."
-            if effect["dimensions"] == 4 and slopes["Sobol"] < one["slope"] - aside else "")
-    first = f"Jittered samples: slope {judgement.number(one['slope'])} ± {aside:.2f}; theory for {what} {in_words(one['theory'])}; {bias}; {cost}."
+            if effect["dimensions"] == 4 and slopes["Sobol"] < one["slope_low"] else "")
+    first = f"Jittered samples: slope {judgement.with_interval(one)}; theory for {what} {in_words(one['theory'])}; {bias}; {cost}."
     if best is None:
         return first
     random = next(c for c in effect["curves"] if c["sampler"] == "random")

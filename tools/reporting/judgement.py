@@ -84,7 +84,7 @@ def read(one: dict, ours: dict) -> tuple[str, str]:
         return "biased", text
     if one["slope"] is None or ours["slope"] is None:
         return "sound", "No bias; too few numbers of samples for a slope."
-    slope = f"slope {number(one['slope'])} ± {number(aside(one))}, ours {number(ours['slope'])}"
+    slope = f"slope {with_interval(one)}, ours {number(ours['slope'])}"
     if one["slope"] - aside(one) > ours["slope"] + SLOW / 2 and one["slope"] > ours["slope"] + SLOW:
         mine, theirs = one["half_error_costs"], ours["half_error_costs"]
         cost = f"half the error costs {mine:.1f} times the time, and ours {theirs:.1f} times" if mine and theirs else "the error hardly falls"
@@ -122,6 +122,12 @@ def outside(one: dict) -> str:
 def bias_z(row: dict) -> float:
     """The larger of both: of the mean over the picture, and of the pixels by themselves."""
     return max(abs(row["z"]), row["pixel_z"])
+
+
+def with_interval(one: dict) -> str:
+    """The slope, with as many decimals as its interval deserves."""
+    pattern = "{:.3f}" if aside(one) < 0.0095 else "{:.2f}"
+    return f"{number(one['slope'], pattern)} ± {number(aside(one), pattern)}"
 
 
 def aside(one: dict) -> float:

@@ -5,6 +5,7 @@ import pathlib
 
 from reporting.markup import duration, escape, figure, slug, svg, table
 
+LABELS = {"gap": "to do"}
 COLOURS = {"better": "good", "sound": "good", "gap": "gap"}  # all others are bad
 
 
@@ -20,7 +21,11 @@ def own(report: dict, folder: pathlib.Path) -> str:
         if entry["message"]:
             text += f'<div class="card bad"><p>It could not be measured.</p><pre>{escape(entry["message"])}</pre></div>'
             continue
-        text += f'<p class="card {COLOURS.get(entry["worst"], "bad")}">{escape(entry["headline"])}</p>' + curves_table(entry)
+        text += f'<p class="card {COLOURS.get(entry["worst"], "bad")}">{escape(entry["headline"])}</p>'
+        if not any(one["rows"] for one in entry["curves"]):  # nothing to draw
+            text += "".join(f"<p>{kind(one['kind'], one['sentence'])}</p>" for one in {each["sentence"]: each for each in entry["curves"]}.values())
+            continue
+        text += curves_table(entry)
         for one in entry["curves"]:
             text += f'<h4>{escape(title(entry, one))}</h4><p class="sentence">{kind(one["kind"], one["sentence"])}</p>'
             if one["rows"]:
@@ -42,7 +47,7 @@ def curves_table(entry: dict) -> str:
     rows = []
     for one in entry["curves"]:
         slope = f'{figure(one["slope"], "{:.3f}")} ({figure(one["slope_low"], "{:.3f}")} to {figure(one["slope_high"], "{:.3f}")})' if one["slope"] is not None else "–"
-        rows.append([escape(title(entry, one)), kind(one["kind"], one["kind"]), slope, figure(one["theory"], "{:.2f}"), z(one["largest_z"]),
+        rows.append([escape(title(entry, one)), kind(one["kind"], LABELS.get(one["kind"], one["kind"])), slope, figure(one["theory"], "{:.2f}"), z(one["largest_z"]),
                      figure(one["rmse_beside_ours"], "{:.2f} ×"), duration(one["seconds_per_sample"]), figure(one["time_beside_ours"], "{:.2f} ×")])
     return table(["", "", "slope, 95 %", "theory", "largest z", "error beside ours", "a sample", "time beside ours"], rows)
 
