@@ -8,14 +8,14 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-from commands.stress import instructions  # noqa: E402
+import prices  # noqa: E402
 
 SKIPPED = 77
 MOST = {"sphere": 2.2, "triangle": 1.8}  # times the instructions of the textbook's formula in float
 
 
 def main() -> int:
-    counts = instructions(pathlib.Path(sys.argv[1]))
+    counts = prices.counted(pathlib.Path(sys.argv[1]))
     if not counts:
         print(f"skipped: there is no valgrind, or it could not run {sys.argv[1]}")
         return SKIPPED

@@ -19,6 +19,7 @@ NOTHING = {
     "lab04": "its pictures are made of points and filters, and no ray is sent for them",
     "lab13": "its pictures are curves and closed forms, and no ray meets a surface for them",
     "lab14": "its pictures show formulas one by one; ./lab run 14 prints what each gets wrong, ./lab stress --student says it case by case",
+    "lab15": "its tracer is put together from parts of the other labs; explain the lab that a part comes from",
 }
 
 
