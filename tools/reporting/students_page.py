@@ -47,7 +47,7 @@ def curves_table(entry: dict) -> str:
     rows = []
     for one in entry["curves"]:
         slope = f'{figure(one["slope"], "{:.3f}")} ({figure(one["slope_low"], "{:.3f}")} to {figure(one["slope_high"], "{:.3f}")})' if one["slope"] is not None else "–"
-        rows.append([escape(title(entry, one)), kind(one["kind"], LABELS.get(one["kind"], one["kind"])), slope, figure(one["theory"], "{:.2f}"), z(one["largest_z"]),
+        rows.append([escape(title(entry, one)), kind(one["kind"], LABELS.get(one["kind"], one["kind"])), slope, figure(one["theory"], "{:.2f}"), z(one["largest_z"] if one["rows"] else None),
                      figure(one["rmse_beside_ours"], "{:.2f} ×"), duration(one["seconds_per_sample"]), figure(one["time_beside_ours"], "{:.2f} ×")])
     return table(["", "", "slope, 95 %", "theory", "largest z", "error beside ours", "a sample", "time beside ours"], rows)
 
@@ -72,7 +72,7 @@ def submissions(report: dict, folder: pathlib.Path) -> str:
         ratios = [one["rmse_beside_ours"] for one in entry["curves"] if one["rmse_beside_ours"]]
         times = sorted(one["time_beside_ours"] for one in entry["curves"] if one["time_beside_ours"])
         rows.append([("● " if entry["outlier"] else "") + escape(entry["name"]), "~" + kind(entry["worst"], entry["headline"]),
-                     z(max((one["largest_z"] for one in entry["curves"]), default=None)),
+                     z(max((one["largest_z"] for one in entry["curves"] if one["rows"]), default=None)),
                      f'{figure(min(ratios), "{:.2f}")} to {figure(max(ratios), "{:.2f}")}' if ratios else "–",
                      figure(times[len(times) // 2], "{:.2f} ×") if times else "–"])
     text += table(["submission", "~what it shows", "largest z", "error beside ours", "time beside ours"], rows)
