@@ -92,8 +92,9 @@ template <class M>
 concept material = reflects_light<M> || scatters<M> || reflects_ambient<M> || emits<M>;
 
 /// The rays that a material sends on. It draws the points that the material asks for, and nothing for one that needs none.
+/// (Inlined always: only then is it known how many rays there are, and the place for a second one is left out.)
 template <scatters M, sample_source Source>
-[[nodiscard]] bounces scattered(const M& m, glm::vec3 in, const hit& h, const Source& source) {
+[[nodiscard, gnu::always_inline]] inline bounces scattered(const M& m, glm::vec3 in, const hit& h, const Source& source) {
     if constexpr (specular<M>) {
         return scatter(m, in, h);
     } else if constexpr (scatters_by_sample<M>) {
