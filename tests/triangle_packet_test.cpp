@@ -136,7 +136,7 @@ TEST_CASE("needles need not be asked themselves") {
         unsure += (meets_plane(p, sheared, r, lanes, corner, hits) & 1) == 0;
     }
     CHECK(hit > 15'000);
-    CHECK(unsure < hit / 50);  // nearly half, if only numbers that are the same to the last bit would do
+    CHECK(unsure < hit / 50);
 }
 
 TEST_CASE("where a packet is sure of a hit, so is the triangle, however near an edge: the same place, bit by bit") {
