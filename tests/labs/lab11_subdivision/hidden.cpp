@@ -3,6 +3,7 @@
 // surfaces. A cell that a ray passes for less than a millionth of its way may be left out or not: there rounding decides.
 
 #include "contract.hpp"
+#include "truth.hpp"
 
 #include <catch.hpp>
 #include <hidden.hpp>
@@ -17,19 +18,14 @@
 #include <vector>
 
 using namespace contract::lab11;
+using truth::cell_box, truth::cost_of, truth::least_cost, truth::wide;
 
 namespace {
-
-struct cell_box {
-    glm::dvec3 min, max;
-};
 
 struct visit {
     std::uint32_t cell;
     stretch part;
 };
-
-cell_box wide(const aabb& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
 
 /// The ray's stretch in a box that is larger by `more` on all sides; it ends before it begins where there is none.
 stretch stretch_in(const cell_box& box, const ray& r, interval range, double more = 0) {
@@ -156,22 +152,6 @@ bool same_node(const octree& theirs, std::uint32_t at, const lab11::octree& ours
     for (std::uint32_t k = 0; k < 8; ++k)
         if (!same_node(theirs, a.children + k, ours, b.children + k)) return false;
     return true;
-}
-
-double area_of(const glm::dvec3& e) { return 2 * (e.x * e.y + e.y * e.z + e.z * e.x); }
-
-double cost_of(const aabb& cell, const std::vector<aabb>& boxes, const costs& c, int axis, float at) {
-    double below = 0, above = 0;
-    for (const aabb& box : boxes) {
-        below += box.min[axis] < at || box.max[axis] <= at;
-        above += box.max[axis] > at;
-    }
-    const glm::dvec3 whole = glm::dvec3(cell.max) - glm::dvec3(cell.min);
-    glm::dvec3 lower = whole, upper = whole;
-    lower[axis] = double(at) - double(cell.min[axis]);
-    upper[axis] = double(cell.max[axis]) - double(at);
-    const double b = below == 0 || above == 0 ? 1 - double(c.empty_bonus) : 1;
-    return double(c.step) + b * double(c.test) * (area_of(lower) * below + area_of(upper) * above) / area_of(whole);
 }
 
 }  // namespace
@@ -309,11 +289,7 @@ TEST_CASE("the cheapest of any cuts", "[step7]") {
         std::vector<aabb> boxes(1 + hidden::below(random, 20));
         for (aabb& box : boxes) box = box_in(random, cell, 0.5f);
         const costs c{random.between(0.1f, 2), random.between(1, 8), random.between(0, 0.9f)};
-        double least = INFINITY;
-        for (int axis = 0; axis < 3; ++axis)
-            for (const aabb& box : boxes)
-                for (const float at : {box.min[axis], box.max[axis]})
-                    if (at > cell.min[axis] && at < cell.max[axis]) least = std::min(least, cost_of(cell, boxes, c, axis, at));
+        const double least = least_cost(cell, boxes, c);
         const double leaf = double(c.test) * double(boxes.size());
         if (std::abs(least - leaf) < 1e-5 * leaf) continue;  // it pays, or not: rounding decides
         const auto best = best_cut(cell, boxes, c);

@@ -3,6 +3,7 @@
 // made here, and everything that a student's code visits or offers is counted here.
 
 #include "contract.hpp"
+#include "truth.hpp"
 
 #include <catch.hpp>
 #include <hint.hpp>
@@ -25,18 +26,13 @@
 #include <vector>
 
 using namespace contract::lab11;
+using truth::cell_box, truth::cost_of, truth::least_cost, truth::wide;
 
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 // ---- Cells, in double ----------------------------------------------------------------------------------------------
-
-struct cell_box {
-    glm::dvec3 min, max;
-};
-
-cell_box wide(const aabb& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
 
 std::uint32_t cells_in(const lattice& g) { return std::uint32_t(g.count.x) * std::uint32_t(g.count.y) * std::uint32_t(g.count.z); }
 
@@ -876,33 +872,6 @@ TEST_CASE("only the given stretch counts", "[step6]") {
 // ---- Step 7: where to cut ------------------------------------------------------------------------------------------
 
 namespace {
-
-double area_of(const glm::dvec3& e) { return 2 * (e.x * e.y + e.y * e.z + e.z * e.x); }
-
-/// The stated cost of a cut, counted box by box.
-double cost_of(const aabb& cell, const std::vector<aabb>& boxes, const costs& c, int axis, float at) {
-    double below = 0, above = 0;
-    for (const aabb& box : boxes) {
-        below += box.min[axis] < at || box.max[axis] <= at;
-        above += box.max[axis] > at;
-    }
-    const glm::dvec3 whole = glm::dvec3(cell.max) - glm::dvec3(cell.min);
-    glm::dvec3 lower = whole, upper = whole;
-    lower[axis] = double(at) - double(cell.min[axis]);
-    upper[axis] = double(cell.max[axis]) - double(at);
-    const double b = below == 0 || above == 0 ? 1 - double(c.empty_bonus) : 1;
-    return double(c.step) + b * double(c.test) * (area_of(lower) * below + area_of(upper) * above) / area_of(whole);
-}
-
-/// The least cost of all cuts at ends of boxes; infinite when there is none.
-double least_cost(const aabb& cell, const std::vector<aabb>& boxes, const costs& c) {
-    double least = INFINITY;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const aabb& box : boxes)
-            for (const float at : {box.min[axis], box.max[axis]})
-                if (at > cell.min[axis] && at < cell.max[axis]) least = std::min(least, cost_of(cell, boxes, c, axis, at));
-    return least;
-}
 
 void check_cut(const aabb& cell, const std::vector<aabb>& boxes, const costs& c) {
     const auto best = best_cut(cell, boxes, c);
