@@ -2,9 +2,10 @@
 #pragma once
 // The hall of lab 06: glossy balls in a row on a chequered floor, between small matt ones, under a sky with lamps.
 
+#include "../support/pixels.hpp"
+
 #include <lantern/camera.hpp>
 #include <lantern/image.hpp>
-#include <lantern/render.hpp>
 #include <lantern/samples.hpp>
 #include <lantern/sphere.hpp>
 
@@ -120,17 +121,11 @@ inline glm::vec3 sample(const shot& s, const lantern::jittered& sampler, glm::uv
 
 inline glm::vec3 pixel(const shot& s, glm::uvec2 at) {
     const lantern::jittered sampler{.side = s.side};
-    lantern::accumulator sum;
-    for (std::uint32_t i = 0; i < sampler.count(); ++i) sum.add(sample(s, sampler, at, i));
-    return sum.mean();
+    return support::mean_of(sampler.count(), [&](std::uint32_t i) { return sample(s, sampler, at, i); });
 }
 
 inline lantern::image picture(const shot& s) {
-    lantern::image result(s.size);
-    lantern::in_parallel(s.size.y, 0, [&](std::size_t row) {
-        for (unsigned x = 0; x < s.size.x; ++x) result(x, unsigned(row)) = pixel(s, {x, unsigned(row)});
-    });
-    return result;
+    return support::picture_of(s.size, [&](glm::uvec2 at) { return pixel(s, at); });
 }
 
 }  // namespace hall

@@ -2,6 +2,7 @@
 #pragma once
 // Lab 07's pictures: the program shows them with the student's code, the handout with ours.
 
+#include "../support/pixels.hpp"
 #include "scene.hpp"
 
 #include <lab07_lens/lens.hpp>
@@ -68,17 +69,11 @@ inline glm::vec3 sample(const photograph& p, const lantern::multi_jittered& samp
 
 inline glm::vec3 pixel(const photograph& p, glm::uvec2 at) {
     const lantern::multi_jittered sampler{.side = p.side};
-    lantern::accumulator sum;
-    for (std::uint32_t i = 0; i < sampler.count(); ++i) sum.add(sample(p, sampler, at, i));
-    return sum.mean();
+    return support::mean_of(sampler.count(), [&](std::uint32_t i) { return sample(p, sampler, at, i); });
 }
 
 inline lantern::image taken(const photograph& p) {
-    lantern::image page(p.size);
-    lantern::in_parallel(p.size.y, 0, [&](std::size_t row) {
-        for (unsigned x = 0; x < p.size.x; ++x) page(x, unsigned(row)) = pixel(p, {x, unsigned(row)});
-    });
-    return page;
+    return support::picture_of(p.size, [&](glm::uvec2 at) { return pixel(p, at); });
 }
 
 /// The depth of ball i of the five.

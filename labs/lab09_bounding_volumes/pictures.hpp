@@ -2,13 +2,13 @@
 #pragma once
 // Lab 09's pictures and its table: the program shows them with the student's code, the handout with ours.
 
+#include "../support/pixels.hpp"
 #include "../support/test_card.hpp"
 #include "scene.hpp"
 
 #include <lab09_bounding_volumes/bounding_volumes.hpp>
 
 #include <lantern/image.hpp>
-#include <lantern/render.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -56,11 +56,7 @@ glm::vec3 drawn(glm::uvec2 size, unsigned side, float height, glm::uvec2 pixel, 
 }
 
 inline lantern::image drawing(glm::uvec2 size, unsigned side, float height, const std::function<glm::vec3(glm::vec2)>& color) {
-    lantern::image picture(size);
-    lantern::in_parallel(size.y, 0, [&](std::size_t y) {
-        for (unsigned x = 0; x < size.x; ++x) picture(x, unsigned(y)) = drawn(size, side, height, {x, unsigned(y)}, color);
-    });
-    return picture;
+    return support::picture_of(size, [&](glm::uvec2 pixel) { return drawn(size, side, height, pixel, color); });
 }
 
 using edges = std::vector<std::pair<glm::vec3, glm::vec3>>;

@@ -2,11 +2,12 @@
 #pragma once
 // Lab 12's pictures: the program shows them with the student's code, the handout with ours.
 
+#include "../support/pixels.hpp"
+
 #include <lab12_monte_carlo/monte_carlo.hpp>
 
 #include <lantern/camera.hpp>
 #include <lantern/image.hpp>
-#include <lantern/render.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -34,17 +35,11 @@ inline glm::vec3 sample(glm::uvec2 size, const lantern::camera<>& cam, glm::uvec
 
 /// The mean of so many samples.
 inline glm::vec3 pixel(glm::uvec2 size, const lantern::camera<>& cam, glm::uvec2 at, std::uint32_t samples, const shade& look) {
-    lantern::accumulator sum;
-    for (std::uint32_t i = 0; i < samples; ++i) sum.add(sample(size, cam, at, i, look));
-    return sum.mean();
+    return support::mean_of(samples, [&](std::uint32_t i) { return sample(size, cam, at, i, look); });
 }
 
 inline lantern::image picture(glm::uvec2 size, const lantern::camera<>& cam, std::uint32_t samples, const shade& look) {
-    lantern::image result(size);
-    lantern::in_parallel(size.y, 0, [&](std::size_t row) {
-        for (unsigned x = 0; x < size.x; ++x) result(x, unsigned(row)) = pixel(size, cam, {x, unsigned(row)}, samples, look);
-    });
-    return result;
+    return support::picture_of(size, [&](glm::uvec2 at) { return pixel(size, cam, at, samples, look); });
 }
 
 /// Panels beside each other, a white line between them.
