@@ -16,13 +16,13 @@ USAGE = "explain NN --pixel X,Y [--picture NAME] [--sample K] [--solution]"
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 06")
+    student.takes_a_lab(parser)
     parser.add_argument("--pixel", required=True, metavar="X,Y", help="counted from the top left corner, which is 0,0")
     parser.add_argument("--picture", metavar="NAME", help="which of the lab's pictures, or a part of its name (default: the main one)")
     parser.add_argument("--sample", type=int, metavar="K", help="print only the K-th of the pixel's samples; the page has all")
     parser.add_argument("--solution", action="store_true", help="our header instead of yours")
     wish = parser.parse_args(arguments)
-    lab = student.lab_named(wish.lab)
+    lab = wish.lab
     try:
         explainer = program.Explainer(lab, wish.solution)
         picture = explainer.picture(wish.picture)

@@ -19,11 +19,11 @@ PATIENCE = 12  # times the limit of a step: it is the whole picture
 
 def run(arguments: list[str]) -> int:
     parser = process.arguments(USAGE, SUMMARY)
-    parser.add_argument("lab", metavar="NN", help="the lab's number, such as 10")
+    student.takes_a_lab(parser)
     parser.add_argument("--picture", metavar="NAME", help="which of the lab's pictures, or a part of its name (default: the main one)")
     parser.add_argument("--solution", action="store_true", help="our header instead of yours")
     wish = parser.parse_args(arguments)
-    lab = student.lab_named(wish.lab)
+    lab = wish.lab
     try:
         explainer = program.Explainer(lab, wish.solution)
         picture = explainer.picture(wish.picture)

@@ -67,7 +67,7 @@ def copy(chosen: list[labs.Lab], out: pathlib.Path) -> int:
         shutil.copy(ROOT / name, target)
         count += 1
     for lab in chosen:  # whatever the author has in the starter's place
-        (out / "labs" / lab.folder / lab.header).write_text(labs.starter_of(lab.solution_file.read_text(encoding="utf-8")), encoding="utf-8")
+        (out / "labs" / lab.folder / lab.header).write_text(lab.starter(), encoding="utf-8")
     for page in out.rglob("*.md"):  # links to what stays behind
         text = page.read_text(encoding="utf-8")
         page.write_text(re.sub(r"\[([^\]]*)\]\((?:[\w./]*/)?(?:labs|instructors)\.md\)", r"\1", text), encoding="utf-8")
@@ -115,7 +115,7 @@ def leaks(out: pathlib.Path, chosen: list[labs.Lab]) -> list[str]:
         found += [f"{name}: {what}" for secret, what in secrets.items() if secret in text]
     for lab in chosen:
         starter = out / "labs" / lab.folder / lab.header
-        if not starter.exists() or starter.read_text(encoding="utf-8") != labs.starter_of(lab.solution_file.read_text(encoding="utf-8")):
+        if not starter.exists() or starter.read_text(encoding="utf-8") != lab.starter():
             found.append(f"labs/{lab.folder}/{lab.header}, which is not the starter")
     return found
 
