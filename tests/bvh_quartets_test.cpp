@@ -62,6 +62,40 @@ TEST_CASE("along a row of any length every leaf is offered once, the nearest fir
     }
 }
 
+namespace {
+
+// Takes any order; writes down what it gets, and ends with the first, or never.
+struct any_order {
+    using takes_any_order = void;
+    std::vector<std::uint32_t>& offered;
+    bool ends;
+    interval operator()(std::uint32_t i, interval rest) const {
+        offered.push_back(i);
+        return ends ? interval{0, 0} : rest;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("an offer that takes any order gets what is farthest first, and everything if it does not end") {
+    static_assert(lantern::takes_any_order<any_order> && lantern::takes_any_order<any_order&> && !lantern::takes_any_order<lantern::probe>);
+    std::vector<aabb> row;
+    for (int i = 0; i < 1000; ++i) row.push_back({{3.0f * float(i), -1, -1}, {3.0f * float(i) + 1, 1, 1}});
+    bvh_layout layout(row, {.leaf_size = 1});
+    const bvh_quartets fours(layout.nodes());
+    for (const bool there : {true, false})
+        for (const bool ends : {false, true}) {
+            std::vector<std::uint32_t> offered;
+            const ray r = there ? ray{{-5, 0, 0}, {1, 0, 0}} : ray{{1e4f, 0, 0}, {-1, 0, 0}};
+            fours.traverse(r, {}, layout.indices(), any_order{offered, ends}, lantern::no_probe{});
+            CHECK(offered.front() == (there ? 999 : 0));
+            std::sort(offered.begin(), offered.end());
+            std::vector<std::uint32_t> expected(ends ? 1 : 1000, there ? 999 : 0);
+            if (!ends) std::iota(expected.begin(), expected.end(), 0u);
+            CHECK(offered == expected);
+        }
+}
+
 TEST_CASE("each box is looked at once, and what lies beyond the range is not offered") {
     std::vector<aabb> row;
     for (int i = 0; i < 256; ++i) row.push_back({{3.0f * float(i), -1, -1}, {3.0f * float(i) + 1, 1, 1}});

@@ -54,8 +54,8 @@ public:
         adopt_boxes(layout);
     }
 
-    /// See the concept `accelerator`. Both children are looked at together; the nearer one comes first, and the other one waits.
-    /// By the time its turn comes, a closer hit may have cut it off. Boxes are looked at by fours: see bvh_quartets.hpp.
+    /// See the concept `accelerator`. Both children are looked at together; the nearer one comes first (the farther one, of an
+    /// offer that takes any order), and the other one waits. By the time its turn comes, a closer hit may have cut it off. Boxes are looked at by fours: see bvh_quartets.hpp.
     template <std::derived_from<ray> Ray, class Offer, class Probe = no_probe>
         requires std::constructible_from<volume_ray<Volume>, const Ray&, interval, const Volume&>
     void traverse(const Ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
@@ -83,7 +83,7 @@ public:
                 if (first) {
                     at = n.first;
                     if (second) {
-                        if (way.second_first(entry, entry_of_second, n.axis)) {
+                        if (way.second_first(entry, entry_of_second, n.axis) != takes_any_order<Offer>) {
                             waiting[count++] = {n.first, entry};
                             at = n.first + 1;
                         } else {

@@ -32,7 +32,8 @@ public:
         root_ = {nodes[0].volume, under(nodes, 0)};
     }
 
-    /// As in `bvh`; the nearest of the children comes first, and the others wait. `indices` may be left out (an empty span) where the
+    /// As in `bvh`; the nearest of the children comes first, and the others wait. (Of an offer that takes any order the farthest comes
+    /// first, and the others in no order.) `indices` may be left out (an empty span) where the
     /// surfaces are in the order of the leaves: what is not read need not be fetched.
     template <class Offer, class Probe>
     void traverse(const ray& r, interval range, std::span<const std::uint32_t> indices, Offer&& offer, Probe&& counter) const {
@@ -65,9 +66,10 @@ public:
                             found = true;
                             return;
                         }
-                        if (s.entry < at.entry) std::swap(s, at);
-                        std::size_t place = count++;  // the farther, the deeper on the stack
-                        for (; place > level && waiting[place - 1].entry < s.entry; --place) waiting[place] = waiting[place - 1];
+                        if (takes_any_order<Offer> ? s.entry > at.entry : s.entry < at.entry) std::swap(s, at);
+                        std::size_t place = count++;
+                        if constexpr (!takes_any_order<Offer>)  // the farther, the deeper on the stack
+                            for (; place > level && waiting[place - 1].entry < s.entry; --place) waiting[place] = waiting[place - 1];
                         waiting[place] = s;
                     };
                     consider(0), consider(1), consider(2), consider(3);

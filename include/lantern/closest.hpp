@@ -12,6 +12,7 @@
 #include <optional>
 #include <ranges>
 #include <span>
+#include <type_traits>
 
 namespace lantern {
 
@@ -45,7 +46,7 @@ struct every {
     [[nodiscard]] constexpr std::uint32_t size() const { return count; }
 
     template <class Offer, class Probe = no_probe>
-    void traverse(const ray&, interval range, Offer&& offer, Probe&& counter = {}) const {
+    [[gnu::always_inline]] void traverse(const ray&, interval range, Offer&& offer, Probe&& counter = {}) const {
         for (std::uint32_t i = 0; i < count && !empty(range); ++i) {
             counter.offer();
             range = offer(i, range);
@@ -90,7 +91,7 @@ template <class A, std::ranges::random_access_range Surfaces, std::derived_from<
                                              interval range = {}, Probe&& counter = {}) {
     std::optional<nearest> best;
     const auto& ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
-    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
+    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) __attribute__((always_inline)) -> interval {
         const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
         if (!h || !contains(remaining, h->t)) return remaining;  // an answer outside the range, or NaN, is none
         const auto t = static_cast<float>(h->t);
@@ -100,19 +101,36 @@ template <class A, std::ranges::random_access_range Surfaces, std::derived_from<
     return best;
 }
 
+/// What `occluded` offers: it ends with the first hit.
+template <class Surfaces, class Ready>
+struct shadow_offer {
+    using takes_any_order = void;
+    const Surfaces& surfaces;
+    const Ready& ray;
+    bool found = false;
+
+    [[gnu::always_inline]] interval operator()(std::uint32_t i, interval remaining) {
+        const auto h = intersect(std::ranges::begin(surfaces)[i], ray, remaining);
+        if (!h || !contains(remaining, h->t)) return remaining;
+        found = true;
+        return {0, 0};
+    }
+};
+
+/// Whether an offer says that it ends with the first hit. Then a structure may begin at the far end: what hides a light from a
+/// surface is seldom in the surroundings of that surface, where the ray begins.
+template <class Offer>
+inline constexpr bool takes_any_order = requires { typename std::remove_cvref_t<Offer>::takes_any_order; };
+
 /// Whether anything at all is hit within the range: the shadow ray's question. Stops at the first hit found.
 template <class A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>
     requires(accelerator<A, Ray> && surface<std::ranges::range_value_t<Surfaces>, Ray>)
 [[nodiscard]] bool occluded(const A& structure, const Surfaces& surfaces, const Ray& r, interval range,
                             Probe&& counter = {}) {
-    bool found = false;
     const auto& ready = ready_for<std::ranges::range_value_t<Surfaces>>(r);
-    traverse(structure, r, range, [&](std::uint32_t i, interval remaining) -> interval {
-        const auto h = intersect(std::ranges::begin(surfaces)[i], ready, remaining);
-        found = found || (h && contains(remaining, h->t));
-        return found ? interval{0, 0} : remaining;
-    }, counter);
-    return found;
+    shadow_offer<Surfaces, std::remove_cvref_t<decltype(ready)>> offer{surfaces, ready};
+    traverse(structure, r, range, offer, counter);
+    return offer.found;
 }
 
 }  // namespace lantern
