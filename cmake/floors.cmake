@@ -82,6 +82,7 @@ set(LANTERN_FLOOR_2
   rectangle
   rectangle_light
   reduce
+  reinsertion
   rotating
   sky
   sphere

@@ -16,7 +16,7 @@ TEST_CASE("parents come before children, and what is below a node is one stretch
     std::vector<aabb> boxes;
     for (int i = 0; i < 1000; ++i) {
         const glm::vec3 p = d.in_cube();
-        boxes.push_back({p, p + d.between(0, 0.1)});
+        boxes.push_back({p, p + d.between(0, i % 2 == 0 ? 0.1 : 3)});  // some large, so that it pays to reinsert them
     }
     for (const split rule : {split::middle, split::median, split::surface_area, split::bottom_up})
         for (const std::uint32_t cap : {48u, 9u, 3u, 0u}) {
@@ -77,6 +77,35 @@ TEST_CASE("the surface area rule makes leaves smaller where a look at two boxes 
     CHECK(leaves(apart, split::middle) == std::vector<std::uint32_t>{3});
     CHECK(leaves(apart, split::median) == std::vector<std::uint32_t>{3});
     CHECK(leaves(apart, split::bottom_up) == std::vector<std::uint32_t>{3});
+}
+
+TEST_CASE("needles are put where they lie better, within the depth, and crowds of small boxes stay as they were divided") {
+    dice d{.state = 3};
+    std::vector<aabb> needles, crowd;
+    for (int i = 0; i < 3000; ++i) {
+        const glm::vec3 p = d.in_cube(), along = d.in_cube();
+        needles.push_back({glm::min(p, p + along), glm::max(p, p + along)});
+        crowd.push_back({p, p + 0.02f});
+    }
+    const auto cost = [](const std::vector<aabb>& boxes, const lantern::bvh_options& how) {
+        bvh_layout layout(boxes, how);
+        double sum = 0;
+        std::vector<std::uint32_t> level(layout.nodes().size());
+        for (std::size_t i = 0; i < layout.nodes().size(); ++i) {
+            const auto& n = layout.nodes()[i];
+            sum += surface_area(n.volume) * (n.size > 0 ? n.size : 1);
+            REQUIRE(level[i] <= how.max_depth);
+            if (n.size == 0) level[n.first] = level[n.first + 1] = level[i] + 1;
+        }
+        REQUIRE(layout.indices().size() == boxes.size());
+        return sum;
+    };
+    const double as_divided = cost(needles, {.reinsertions = 0}), once = cost(needles, {.reinsertions = 1}), four_times = cost(needles, {});
+    INFO(as_divided << ", after a round " << once << ", after four " << four_times);
+    CHECK(once < 0.95 * as_divided);
+    CHECK(four_times < 0.97 * once);
+    CHECK(cost(needles, {.max_depth = 13}) <= 1.2 * as_divided);
+    CHECK(cost(crowd, {}) == Approx(cost(crowd, {.reinsertions = 0})).epsilon(0.001));
 }
 
 TEST_CASE("nothing has no nodes") {

@@ -24,6 +24,12 @@ struct cluster {
     std::uint32_t height = 0;  ///< levels below it; 0 for one box
 };
 
+/// Two clusters as one.
+[[nodiscard]] inline cluster joined(std::span<const cluster> clusters, std::uint32_t left, std::uint32_t right) {
+    const cluster &a = clusters[left], &b = clusters[right];
+    return {enclose(a.box, b.box), left, right, a.size + b.size, std::max(a.height, b.height) + 1};
+}
+
 /// Where p lies in the box on a curve that visits near points one after the other: the bits of x, y, z interleaved (Morton
 /// 1966), 21 of each.
 [[nodiscard]] inline std::uint64_t morton_code(glm::vec3 p, const aabb& box) {
@@ -77,9 +83,8 @@ struct cluster {
             const std::uint32_t j = partner[i];
             if (j == i || partner[j] != i) next.push_back(active[i]);
             if (partner[j] != i || i >= j) continue;
-            const cluster &a = clusters[active[i]], &b = clusters[active[j]];
             next.push_back(static_cast<std::uint32_t>(clusters.size()));
-            clusters.push_back({enclose(a.box, b.box), active[i], active[j], a.size + b.size, std::max(a.height, b.height) + 1});
+            clusters.push_back(joined(clusters, active[i], active[j]));
         }
         active.swap(next);
     }

@@ -5,6 +5,7 @@
 #include <lantern/aabb.hpp>
 #include <lantern/agglomerate.hpp>
 #include <lantern/boxes_of.hpp>
+#include <lantern/reinsertion.hpp>
 #include <lantern/validate.hpp>
 
 #include <glm/vec3.hpp>
@@ -34,6 +35,7 @@ struct bvh_options {
     split rule = split::surface_area;
     std::uint32_t leaf_size = 4;   ///< at most so many surfaces in a leaf, unless the depth is used up; `surface_area` makes it smaller where that pays
     std::uint32_t max_depth = 48;  ///< levels below the root, at most 64
+    std::uint32_t reinsertions = 4;  ///< rounds in which `surface_area` looks for better places afterwards, as long as that pays: see reinsertion.hpp; 0: none
 };
 
 template <class Volume>
@@ -56,12 +58,19 @@ public:
         nodes_.reserve(2 * indices_.size() / options_.leaf_size + 1);
         nodes_.emplace_back();
         const auto size = static_cast<std::uint32_t>(indices_.size());
-        if (options.rule == split::bottom_up) {
-            const std::vector<cluster> clusters = agglomerate(boxes, std::exchange(indices_, {}));
-            lay_out(boxes, clusters, clusters.back(), 0, options_.max_depth);
+        std::vector<cluster> clusters;
+        if (options_.rule == split::bottom_up) {
+            clusters = agglomerate(boxes, indices_);
         } else {
-            divide(boxes, 0, 0, size, options_.max_depth);
+            const bool reinserting = options_.rule == split::surface_area && options_.reinsertions > 0 && size > options_.leaf_size;
+            divide(boxes, 0, 0, size, options_.max_depth, options_.rule == split::surface_area && !reinserting);
+            if (!reinserting) return;
+            clusters = clusters_of(boxes);
+            reinsert_where_it_pays(clusters, options_.leaf_size, options_.max_depth, options_.reinsertions);
         }
+        nodes_.resize(1);
+        indices_.clear();
+        lay_out(boxes, clusters, clusters.back(), 0, options_.max_depth);
     }
 
     /// To be moved out of it.
@@ -74,9 +83,10 @@ private:
         std::uint32_t axis;
     };
 
-    // Makes nodes_[at] the root of a tree over indices_[first, last) with so many levels left below it.
+    // Makes nodes_[at] the root of a tree over indices_[first, last) with so many levels left below it. What fits into a leaf is
+    // one, or, where `small` ones may pay, as `cut_of` says.
     void divide(std::span<const aabb> boxes, std::uint32_t at, std::uint32_t first, std::uint32_t last,
-                std::uint32_t levels) {
+                std::uint32_t levels, bool small) {
         aabb box, centers;
         for (std::uint32_t i = first; i < last; ++i) {
             box = enclose(box, boxes[indices_[i]]);
@@ -88,15 +98,34 @@ private:
             nodes_[at].first = first;
             nodes_[at].size = size & 0x3fffffffu;
         };
-        if (levels == 0 || size == 1 || (size <= options_.leaf_size && options_.rule != split::surface_area)) return become_leaf();
+        if (levels == 0 || size == 1 || (size <= options_.leaf_size && !small)) return become_leaf();
         const cut c = cut_of(boxes, std::span(indices_).subspan(first, size), box, centers, levels);
         if (c.middle == 0) return become_leaf();
         const auto children = static_cast<std::uint32_t>(nodes_.size());
         nodes_.resize(nodes_.size() + 2);
         nodes_[at].first = children;
         nodes_[at].axis = c.axis & 3u;
-        divide(boxes, children, first, first + c.middle, levels - 1);
-        divide(boxes, children + 1, first + c.middle, last, levels - 1);
+        divide(boxes, children, first, first + c.middle, levels - 1, small);
+        divide(boxes, children + 1, first + c.middle, last, levels - 1, small);
+    }
+
+    // The nodes as clusters, the root last. How the surfaces of a leaf are joined is of no matter.
+    std::vector<cluster> clusters_of(std::span<const aabb> boxes) const {
+        std::vector<cluster> clusters;
+        clusters.reserve(2 * indices_.size());
+        std::vector<std::uint32_t> cluster_of(nodes_.size());
+        for (std::size_t i = nodes_.size(); i-- > 0;) {
+            const bvh_node<aabb>& n = nodes_[i];
+            if (n.size == 0) clusters.push_back(joined(clusters, cluster_of[n.first], cluster_of[n.first + 1]));
+            for (std::uint32_t k = 0; k < n.size; ++k) {
+                const std::uint32_t index = indices_[n.first + k];
+                clusters.push_back({boxes[index], index});
+                const auto last = static_cast<std::uint32_t>(clusters.size() - 1);
+                if (k > 0) clusters.push_back(joined(clusters, last - 1, last));
+            }
+            cluster_of[i] = static_cast<std::uint32_t>(clusters.size() - 1);
+        }
+        return clusters;
     }
 
     // The same over the clusters below `c`, which are joined already. Where they are stacked higher than there are levels,
@@ -106,7 +135,7 @@ private:
         const auto first = static_cast<std::uint32_t>(indices_.size());
         if (c.size <= options_.leaf_size || c.height > levels) {
             collect(clusters, c, indices_);
-            return divide(boxes, at, first, first + c.size, levels);
+            return divide(boxes, at, first, first + c.size, levels, options_.rule == split::surface_area);
         }
         const cluster *lower = &clusters[c.left], *upper = &clusters[c.right];
         const aabb centers = enclose(aabb{center(lower->box), center(lower->box)}, center(upper->box));
