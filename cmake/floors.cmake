@@ -54,6 +54,7 @@ set(LANTERN_FLOOR_2
   blinn_phong
   box
   bvh
+  bvh_cut
   bvh_layout
   bvh_quartets
   closest

@@ -5,15 +5,12 @@
 #include <lantern/aabb.hpp>
 #include <lantern/agglomerate.hpp>
 #include <lantern/boxes_of.hpp>
+#include <lantern/bvh_cut.hpp>
 #include <lantern/reinsertion.hpp>
 #include <lantern/validate.hpp>
 
-#include <glm/vec3.hpp>
-
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -23,19 +20,11 @@
 
 namespace lantern {
 
-/// How it is decided which surfaces go into which of a node's two children.
-enum class split {
-    middle,        ///< at the middle of their centres: cheap to find, blind to crowds
-    median,        ///< half of them each: balanced, blind to space
-    surface_area,  ///< where the expected number of tests is least (Goldsmith and Salmon 1987), over 16 bins (Wald 2007)
-    bottom_up      ///< the nearest are joined first, and so on up to the root: see agglomerate.hpp
-};
-
 struct bvh_options {
     split rule = split::surface_area;
     std::uint32_t leaf_size = 4;   ///< at most so many surfaces in a leaf, unless the depth is used up; `surface_area` makes it smaller where that pays
     std::uint32_t max_depth = 48;  ///< levels below the root, at most 64
-    std::uint32_t reinsertions = 4;  ///< rounds in which `surface_area` looks for better places afterwards, as long as that pays: see reinsertion.hpp; 0: none
+    std::uint32_t reinsertions = 4;  ///< rounds, for `surface_area`, in which what lies badly is put elsewhere, if that pays: see reinsertion.hpp; 0: none
 };
 
 template <class Volume>
@@ -58,12 +47,12 @@ public:
         nodes_.reserve(2 * indices_.size() / options_.leaf_size + 1);
         nodes_.emplace_back();
         const auto size = static_cast<std::uint32_t>(indices_.size());
+        const bool by_area = options_.rule == split::surface_area, reinserting = by_area && options_.reinsertions > 0 && size > options_.leaf_size;
         std::vector<cluster> clusters;
         if (options_.rule == split::bottom_up) {
             clusters = agglomerate(boxes, indices_);
         } else {
-            const bool reinserting = options_.rule == split::surface_area && options_.reinsertions > 0 && size > options_.leaf_size;
-            divide(boxes, 0, 0, size, options_.max_depth, options_.rule == split::surface_area && !reinserting);
+            divide(boxes, 0, 0, size, options_.max_depth, by_area && !reinserting);
             if (!reinserting) return;
             clusters = clusters_of(boxes);
             reinsert_where_it_pays(clusters, options_.leaf_size, options_.max_depth, options_.reinsertions);
@@ -78,11 +67,6 @@ public:
     [[nodiscard]] std::vector<std::uint32_t>& indices() { return indices_; }
 
 private:
-    struct cut {
-        std::uint32_t middle;  ///< how many go to the lower child
-        std::uint32_t axis;
-    };
-
     // Makes nodes_[at] the root of a tree over indices_[first, last) with so many levels left below it. What fits into a leaf is
     // one, or, where `small` ones may pay, as `cut_of` says.
     void divide(std::span<const aabb> boxes, std::uint32_t at, std::uint32_t first, std::uint32_t last,
@@ -99,14 +83,14 @@ private:
             nodes_[at].size = size & 0x3fffffffu;
         };
         if (levels == 0 || size == 1 || (size <= options_.leaf_size && !small)) return become_leaf();
-        const cut c = cut_of(boxes, std::span(indices_).subspan(first, size), box, centers, levels);
-        if (c.middle == 0) return become_leaf();
+        const bvh_cut cut = cut_of({boxes, std::span(indices_).subspan(first, size), centers}, box, levels);
+        if (cut.lower == 0) return become_leaf();
         const auto children = static_cast<std::uint32_t>(nodes_.size());
         nodes_.resize(nodes_.size() + 2);
         nodes_[at].first = children;
-        nodes_[at].axis = c.axis & 3u;
-        divide(boxes, children, first, first + c.middle, levels - 1, small);
-        divide(boxes, children + 1, first + c.middle, last, levels - 1, small);
+        nodes_[at].axis = cut.axis & 3u;
+        divide(boxes, children, first, first + cut.lower, levels - 1, small);
+        divide(boxes, children + 1, first + cut.lower, last, levels - 1, small);
     }
 
     // The nodes as clusters, the root last. How the surfaces of a leaf are joined is of no matter.
@@ -151,93 +135,19 @@ private:
     // Reorders the indices so that the lower child's come first. A rule that finds no cut, as where all centres are
     // equal, or that would use up the levels on crumbs, gives way to the median, which always halves; but what fits into
     // a leaf is one then: no cut.
-    cut cut_of(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& box, const aabb& centers,
-               std::uint32_t levels) const {
-        const bool fits = indices.size() <= options_.leaf_size;
-        const bool needs_halving = !fits && static_cast<std::uint32_t>(std::bit_width(indices.size() / options_.leaf_size)) >= levels;
+    bvh_cut cut_of(const crowd& c, const aabb& box, std::uint32_t levels) const {
+        const std::size_t size = c.indices.size();
+        const bool fits = size <= options_.leaf_size;
+        const bool needs_halving = !fits && static_cast<std::uint32_t>(std::bit_width(size / options_.leaf_size)) >= levels;
         if (options_.rule != split::median && !needs_halving) {
-            const double limit = fits ? surface_area(box) * (double(indices.size()) - pair_cost) : std::numeric_limits<double>::infinity();
-            const cut c = options_.rule == split::middle ? middle_cut(boxes, indices, centers)
-                                                         : surface_area_cut(boxes, indices, centers, limit);
-            if (c.middle > 0 && c.middle < indices.size()) return c;
+            const double limit = fits ? surface_area(box) * (double(size) - pair_cost) : std::numeric_limits<double>::infinity();
+            const bvh_cut cut = options_.rule == split::middle ? c.cut_middle() : c.cut_by_surface_area(limit);
+            if (cut.lower > 0 && cut.lower < size) return cut;
         }
-        return fits ? cut{0, 0} : median_cut(boxes, indices, centers);
+        return fits ? bvh_cut{} : c.cut_median();
     }
 
-    static std::uint32_t longest_axis(const aabb& box) {
-        const glm::vec3 size = box.max - box.min;
-        return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    }
-
-    static std::uint32_t partition(std::span<std::uint32_t> indices, auto&& below) {
-        return static_cast<std::uint32_t>(std::partition(indices.begin(), indices.end(), below) - indices.begin());
-    }
-
-    static cut middle_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
-        const std::uint32_t axis = longest_axis(centers);
-        const float middle = center(centers)[int(axis)];
-        return {partition(indices, [&](std::uint32_t i) { return center(boxes[i])[int(axis)] < middle; }), axis};
-    }
-
-    static cut median_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers) {
-        const std::uint32_t axis = longest_axis(centers);
-        const std::uint32_t half = static_cast<std::uint32_t>(indices.size() / 2);
-        std::nth_element(indices.begin(), indices.begin() + half, indices.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const float ca = center(boxes[a])[int(axis)], cb = center(boxes[b])[int(axis)];
-            return ca < cb || (ca == cb && a < b);
-        });
-        return {half, axis};
-    }
-
-    static constexpr std::uint32_t bins = 16;
     static constexpr double pair_cost = 1;  // of a look at two boxes, in tests of a surface
-
-    // The bin of a center; all centers of a degenerate axis share bin 0.
-    static std::uint32_t bin_of(const aabb& box, const aabb& centers, int axis) {
-        const double low = centers.min[axis], extent = double(centers.max[axis]) - low;
-        const double where = extent > 0 ? (double(center(box)[axis]) - low) / extent * bins : 0;
-        return std::min(static_cast<std::uint32_t>(where), bins - 1);
-    }
-
-    // Of 15 cuts on each axis the one with the least sum, over both children, of area times number of surfaces. None
-    // where there is no area to compare, as of points on a line, and none where the sum is not below `least`.
-    static cut surface_area_cut(std::span<const aabb> boxes, std::span<std::uint32_t> indices, const aabb& centers,
-                                double least) {
-        int best_axis = 0;
-        std::uint32_t best_bin = bins;
-        for (int axis = 0; axis < 3; ++axis) {
-            std::array<aabb, bins> box{};
-            std::array<std::uint32_t, bins> size{};
-            for (const std::uint32_t i : indices) {
-                const std::uint32_t b = bin_of(boxes[i], centers, axis);
-                box[b] = enclose(box[b], boxes[i]);
-                ++size[b];
-            }
-            std::array<double, bins> below{};  // below[b]: the cost of all in bins 0 … b - 1
-            aabb sum;
-            std::uint32_t count = 0;
-            for (std::uint32_t b = 0; b + 1 < bins; ++b) {
-                sum = enclose(sum, box[b]);
-                count += size[b];
-                below[b + 1] = count > 0 ? surface_area(sum) * count : 0;
-            }
-            sum = {};
-            count = 0;
-            for (std::uint32_t b = bins - 1; b > 0; --b) {
-                sum = enclose(sum, box[b]);
-                count += size[b];
-                const bool both = count > 0 && count < indices.size();
-                const double cost = below[b] + (count > 0 ? surface_area(sum) * count : 0);
-                if (both && cost < least) {
-                    least = cost;
-                    best_axis = axis;
-                    best_bin = b;
-                }
-            }
-        }
-        const auto lower = [&](std::uint32_t i) { return bin_of(boxes[i], centers, best_axis) < best_bin; };
-        return {least > 0 && best_bin < bins ? partition(indices, lower) : 0, static_cast<std::uint32_t>(best_axis)};
-    }
 
     std::vector<bvh_node<aabb>> nodes_;
     std::vector<std::uint32_t> indices_;
