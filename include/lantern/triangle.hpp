@@ -137,7 +137,12 @@ template <class Make, class Doubt>
         if (u > doubt ? std::min(v, w) < -doubt : u < -doubt && std::max(v, w) > doubt) return std::nullopt;
         return in_doubt();
     }
-    if (!(std::abs(above) > scale * distance && std::abs(speed) > scale * r.longest)) return in_doubt();
+    if (!(std::abs(above) > scale * distance && std::abs(speed) > scale * r.longest)) {
+        // Behind the origin for certain: most often the very triangle that the ray has just left.
+        const bool sure = std::abs(above) > 0x1p-30 * scale * distance && std::abs(speed) > 0x1p-30 * scale * r.longest;
+        if (sure && (above < 0) != (speed < 0) && range.min >= 0) return std::nullopt;
+        return in_doubt();
+    }
     const double t = above / speed;
     if (!contains(range, t)) return std::nullopt;
     const double wb = v / speed, wc = w / speed;
