@@ -18,3 +18,14 @@ TEST_CASE("what is handed on is the value itself, not a copy") {
     const std::variant<int, char> choice = 'c';
     CHECK(lantern::with_alternative(choice, [](const auto& x) -> const void* { return &x; }) == std::get_if<char>(&choice));
 }
+
+TEST_CASE("a variant that holds none of its alternatives is refused") {
+    struct refuses {
+        explicit refuses(int) { throw 1; }
+        ~refuses() {}  // NOLINT(modernize-use-equals-default): what is trivial, no variant ever loses
+    };
+    std::variant<int, refuses> empty;
+    CHECK_THROWS_AS(empty.emplace<refuses>(2), int);
+    REQUIRE(empty.valueless_by_exception());
+    CHECK_THROWS_AS(lantern::with_alternative(empty, [](const auto&) { return 0; }), std::bad_variant_access);
+}

@@ -3,6 +3,7 @@
 // One of a closed set of surfaces, chosen at run time.
 
 #include <lantern/aabb.hpp>
+#include <lantern/alternative.hpp>
 #include <lantern/hull.hpp>
 #include <lantern/interval.hpp>
 #include <lantern/precise.hpp>
@@ -33,38 +34,36 @@ struct any_of {
 template <class... Surfaces, std::derived_from<precise::ray> Ray>
     requires(precise_surface<Surfaces, Ray> && ...)
 [[nodiscard]] std::optional<precise::hit> intersect(const any_of<Surfaces...>& s, const Ray& r, interval range) {
-    return std::visit([&](const auto& which) { return intersect(which, r, range); }, s.value);
+    return with_alternative(s.value, [&](const auto& which) { return intersect(which, r, range); });
 }
 
 /// Each in its own way: rounded where it finds a hit, or in float altogether, as a user's own may be.
 template <class... Surfaces, std::derived_from<ray> Ray>
     requires(surface<Surfaces, Ray> && ...)
 [[nodiscard]] std::optional<hit> intersect(const any_of<Surfaces...>& s, const Ray& r, interval range) {
-    return std::visit([&](const auto& which) { return intersect(which, r, range); }, s.value);
+    return with_alternative(s.value, [&](const auto& which) { return intersect(which, r, range); });
 }
 
 template <bounded... Surfaces>
 [[nodiscard]] aabb bounds(const any_of<Surfaces...>& s) {
-    return std::visit([](const auto& which) { return bounds(which); }, s.value);
+    return with_alternative(s.value, [](const auto& which) { return bounds(which); });
 }
 
 template <bounded... Surfaces>
 [[nodiscard]] aabb bounds_at(const any_of<Surfaces...>& s, float time) {
-    return std::visit([&](const auto& which) { return bounds_at(which, time); }, s.value);
+    return with_alternative(s.value, [&](const auto& which) { return bounds_at(which, time); });
 }
 
 template <bounded... Surfaces>
 [[nodiscard]] hull hull_of(const any_of<Surfaces...>& s) {
-    return std::visit([](const auto& which) { return hull_of(which); }, s.value);
+    return with_alternative(s.value, [](const auto& which) { return hull_of(which); });
 }
 
 template <class... Surfaces>
 void validate(const any_of<Surfaces...>& s) {
-    std::visit(
-        [](const auto& which) {
-            if constexpr (requires { validate(which); }) validate(which);
-        },
-        s.value);
+    with_alternative(s.value, [](const auto& which) {
+        if constexpr (requires { validate(which); }) validate(which);
+    });
 }
 
 }  // namespace lantern

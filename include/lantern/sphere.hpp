@@ -134,9 +134,10 @@ template <class Make>
 [[nodiscard, gnu::always_inline]] inline auto find_hit(const sphere& s, const ray& r, const interval& range, Make make)
     -> decltype(make(0.0, r.origin, r.origin, 0.0)) {
     const glm::dvec3 d = r.direction, f = glm::dvec3(s.center) - r.origin;
+    const double a = glm::dot(d, d);  // before the first return: what is always done, a loop over spheres does once
     const double b = glm::dot(f, d), ff = glm::dot(f, f), k = ff - double(s.radius) * double(s.radius);
     if (b <= 0 && k > 0x1p-48 * ff && range.min >= 0) return std::nullopt;  // outside, and going away
-    const double a = glm::dot(d, d), aff = a * ff, discriminant = b * b - a * k;  // wrong by at most 2^-49 a (|f|² + R²)
+    const double aff = a * ff, discriminant = b * b - a * k;  // wrong by at most 2^-49 a (|f|² + R²)
     if (discriminant > 0x1p-18 * aff && std::abs(k) > 0x1p-14 * ff) [[likely]]
         return meet(s, r, range, f, a, b, k, std::sqrt(discriminant), make);
     if (discriminant < -0x1p-46 * aff && k > 0) return std::nullopt;
