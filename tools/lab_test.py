@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The tests' tests, for CTest: lab_test.py solution|starter|mutant|current LAB [PROGRAM [MUTANT]]."""
+"""The tests' tests, for CTest: lab_test.py solution|starter|mutants|current LAB [PROGRAM]."""
 
+import os
 import pathlib
 import sys
 
@@ -26,14 +27,14 @@ def starter(lab: labs.Lab, program: pathlib.Path) -> list[str]:
     return wrong
 
 
-def mutant(lab: labs.Lab, program: pathlib.Path, name: str) -> list[str]:
-    """The mutant fails the tests that it names and none of an earlier step."""
-    return mutant_verdict(lab, program, labs.read_mutant(lab.tests / "mutants" / f"{name}.mutant"))[1]
+def mutants(lab: labs.Lab, program: pathlib.Path) -> list[str]:
+    """Each mutant fails the tests that it names and none of an earlier step."""
+    return [f"{made.name}: {line}" for made in lab.mutants() for line in mutant_verdict(lab, program, made)[1]]
 
 
 def mutant_verdict(lab: labs.Lab, program: pathlib.Path, made: labs.Mutant) -> tuple[list[str], list[str]]:
-    """The names of the tests that failed, and what is wrong with that."""
-    steps = verdict.judge(program, lab)
+    """The names of the tests that failed, and what is wrong with that. The program holds all mutants of the lab."""
+    steps = verdict.judge(program, lab, environment={**os.environ, "LANTERN_MUTANT": made.name})
     at = {test.name: i for i, step in enumerate(steps, 1) for test in step.tests}
     failed = [test.name for step in steps for test in step.failures]
     wrong = [f'there is no test "{name}"' for name in made.caught_by if name not in at]
@@ -57,10 +58,10 @@ def current(lab: labs.Lab) -> list[str]:
 
 def main() -> int:
     action, folder, *rest = sys.argv[1:]
-    check = {"solution": solution, "starter": starter, "mutant": mutant, "current": current}[action]
+    check = {"solution": solution, "starter": starter, "mutants": mutants, "current": current}[action]
     lab = labs.find(folder)
     try:
-        wrong = check(lab, *(pathlib.Path(word).resolve() if i == 0 else word for i, word in enumerate(rest)))
+        wrong = check(lab, *(pathlib.Path(word).resolve() for word in rest))
     except labs.Problem as problem:
         wrong = [str(problem)]
     print("\n".join(wrong) or f"{lab.name} {action}: as it should be")

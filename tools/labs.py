@@ -152,6 +152,36 @@ def mutate(solution: str, mutant: Mutant) -> str:
     return solution
 
 
+def hoisted(code: str) -> tuple[list[str], str]:
+    """The #include lines of a file, and the file with empty lines in their place."""
+    includes = re.findall(r"^#include .*", code, re.MULTILINE)
+    return includes, re.sub(r"^#(include |pragma once).*", "", code, flags=re.MULTILINE)
+
+
+def mutants_in_files(solution_path: pathlib.Path, bind_path: pathlib.Path, mutants: list[Mutant], count: int) -> list[str]:
+    """All mutants of a lab as `count` files, each with the binding in a namespace of its own, so that the library is read once for many.
+    LANTERN_MUTANT says which one answers; the first file refuses a name that none of them has."""
+    solution = solution_path.read_text(encoding="utf-8")
+    bind_includes, bind = hoisted(bind_path.read_text(encoding="utf-8"))
+    mutated = f"<{solution_path.parent.name}/{solution_path.name}>"
+    own = [re.sub('"(.*)"', rf'"{bind_path.parent}/\1"', line) for line in bind_includes if mutated not in line]
+    names = ", ".join(f'"{mutant.name}"' for mutant in mutants)
+    files = []
+    for i in range(count):
+        includes, parts = dict.fromkeys(own), []
+        for mutant in mutants[i::count]:
+            header_includes, header = hoisted(mutate(solution, mutant))
+            includes |= dict.fromkeys(header_includes)
+            parts.append(f"namespace mutant_{mutant.name} {{\n"
+                         f"namespace contract {{\nusing namespace ::contract;\ntemplate <auto Function, class Code>\n"
+                         f'binding bind(Code code) {{ return mutants::bind<Function>("{mutant.name}", std::move(code)); }}\n}}\n'
+                         f'#line 1 "mutant {mutant.name}"\n{header}\n#line 1 "bind.cpp for {mutant.name}"\n{bind}\n}}\n')
+        known = f"namespace {{\nconst mutants::only known({{{names}}});\n}}\n" if i == 0 else ""
+        files.append("// SPDX-License-Identifier: MIT\n// Made out of the solution and its mutants by tools/labs.py.\n\n"
+                     + "\n".join(includes) + "\n#include <mutants.hpp>\n\n" + known + "\n".join(parts))
+    return files
+
+
 # ---- Judge and worker ----------------------------------------------------------------------------------------------
 
 def functions_of(contract: str, name: str = "contract.hpp") -> list[str]:
@@ -174,20 +204,23 @@ def table_of(side: str, contract_path: pathlib.Path) -> str:
             f"#include \"{contract_path}\"\n\nnamespace {{\n\n[[maybe_unused]] const contract::table lab{{\n{rows}}};\n\n}}  // namespace\n")
 
 
-# The build's way in: labs.py starter SOLUTION OUT, labs.py mutant SOLUTION MUTANT OUT, labs.py judge|worker CONTRACT OUT
+# The build's way in: labs.py starter SOLUTION OUT, labs.py judge|worker CONTRACT OUT, labs.py mutants SOLUTION BIND FOLDER COUNT MUTANT...
 if __name__ == "__main__":
     import sys
     action, source, *rest = sys.argv[1:]
     try:
         text = pathlib.Path(source).read_text(encoding="utf-8")
-        out = pathlib.Path(rest[-1])
-        if action in ("judge", "worker"):
-            made = table_of(action, pathlib.Path(source))
+        if action == "mutants":
+            bind, folder, count, *mutants = rest
+            made = mutants_in_files(pathlib.Path(source), pathlib.Path(bind), [read_mutant(pathlib.Path(path)) for path in mutants], int(count))
+            outputs = {pathlib.Path(folder) / f"{i}.cpp": file for i, file in enumerate(made)}
         elif action == "starter":
-            made = starter_of(text, source)
+            outputs = {pathlib.Path(rest[0]): starter_of(text, source)}
         else:
-            made = mutate(text, read_mutant(pathlib.Path(rest[0])))
-        out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(made, encoding="utf-8")
+            outputs = {pathlib.Path(rest[0]): table_of(action, pathlib.Path(source))}
+        for out, file in outputs.items():
+            out.parent.mkdir(parents=True, exist_ok=True)
+            if not out.exists() or out.read_text(encoding="utf-8") != file:  # what stays as it is need not be compiled again
+                out.write_text(file, encoding="utf-8")
     except Problem as problem:
         sys.exit(str(problem))

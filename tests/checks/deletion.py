@@ -2,9 +2,10 @@
 """Can this header be deleted, and does everything that does not name it still build?
 
 deletion.py NAME...                 by the includes: whatever reaches the header must name it itself
-deletion.py --build FOLDER NAME...  by the compiler: every source file in FOLDER/compile_commands.json that does not
-                                    name the headers, itself or in the "..." that it includes, is checked against a
-                                    copy of include/ without them
+deletion.py --build FOLDER NAME...  by the compiler: no source file in FOLDER/compile_commands.json that does not name
+                                    the headers, itself or in the "..." that it includes, needs them. What FOLDER has
+                                    built says so itself: Ninja keeps the list of all files that the compiler opened.
+                                    What it has not is checked against a copy of include/ without them
 """
 
 import argparse
@@ -60,9 +61,31 @@ def by_includes(deleted: str) -> list[str]:
     return problems
 
 
+def opened_by(build: pathlib.Path) -> dict[str, set[str]]:
+    """The files that the compiler opened for each object in the folder, as Ninja noted them; only what is up to date."""
+    said = subprocess.run(["ninja", "-C", str(build), "-t", "deps"], capture_output=True, text=True, check=False).stdout
+    opened: dict[str, set[str]] = {}
+    for block in re.split(r"\n\n", said):
+        head, *files = block.strip().splitlines() or [""]
+        if head.endswith("(VALID)"):
+            opened[head.split(": #deps")[0]] = {file.strip() for file in files}
+    return opened
+
+
+def opens(deleted: list[str], target: str, opened: dict[str, set[str]]) -> bool:
+    """Whether an object needed one of these headers, itself or in its precompiled header."""
+    return any(file.endswith(f"lantern/{name}.hpp") for file in opened[target] for name in deleted) or \
+        any(opens(deleted, file, opened) for file in opened[target] if file in opened)
+
+
 def by_compiler(deleted: list[str], build: pathlib.Path) -> list[str]:
     all_commands = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    commands = {command["file"]: command for command in all_commands}.values()  # one is enough for each file
+    opened = opened_by(build)
+    commands = {}
+    for command in all_commands:  # one is enough for each file: one that was built, where there is one
+        output = command["command"].partition(" -o ")[2].split(" ")[0]
+        if command["file"] not in commands or output in opened:
+            commands[command["file"]] = {**command, "output": output}
     with tempfile.TemporaryDirectory() as folder:
         pruned = pathlib.Path(folder) / "include"
         shutil.copytree(ROOT / "include", pruned)
@@ -73,6 +96,12 @@ def by_compiler(deleted: list[str], build: pathlib.Path) -> list[str]:
             source = pathlib.Path(command["file"])
             if source.suffix != ".cpp" or not source.is_relative_to(ROOT) or set(deleted) & named_by(source):
                 return None
+            if not source.is_file():
+                return None  # made by a build, which has not been asked for it
+            if str(ROOT / "include") not in command["command"]:
+                return None  # a lab's: it has the library by links, of the headers that its lab.json names
+            if command["output"] in opened:
+                return f"{source.relative_to(ROOT)} includes what it does not name" if opens(deleted, command["output"], opened) else None
             words = [word.replace(str(ROOT / "include"), str(pruned)) for word in shlex.split(command["command"])]
             if "-o" in words:
                 at = words.index("-o")
@@ -81,7 +110,7 @@ def by_compiler(deleted: list[str], build: pathlib.Path) -> list[str]:
             return None if done.returncode == 0 else f"{source.relative_to(ROOT)} no longer compiles:\n{done.stderr[:2000]}"
 
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            return [problem for problem in pool.map(check, commands) if problem]
+            return [problem for problem in pool.map(check, commands.values()) if problem]
 
 
 def main() -> int:

@@ -30,7 +30,7 @@ def run(arguments: list[str]) -> int:
         if not lab.mutants():
             raise labs.Problem(f"lab {lab.number} has no mutants: nothing was tried")
         for mutant in lab.mutants():
-            failed, wrong = lab_test.mutant_verdict(lab, student.program(tree, f"{lab.name}_mutant_{mutant.name}"), mutant)
+            failed, wrong = lab_test.mutant_verdict(lab, student.program(tree, f"{lab.name}_mutants"), mutant)
             answers.append({"lab": lab.number, "name": mutant.name, "expected": mutant.caught_by, "failed": failed, "ok": not wrong})
             if not wish.json:
                 print(f"{'✓' if not wrong else '✗'} {lab.number} {mutant.name:<32} {mutant.who}", flush=True)
