@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -392,6 +393,21 @@ class Release(Scratch):
         out = self.folder / "all"
         release.copy(labs.all_labs(), out)
         self.assertEqual(release.leaks(out, labs.all_labs()), [])
+
+    def test_no_link_leads_to_what_stayed_behind(self):
+        for chosen in (self.chosen, labs.all_labs()):
+            out = self.folder / f"linked{len(chosen)}"
+            release.copy(chosen, out)
+            links = 0
+            for page in out.rglob("*.md"):
+                code = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+                for target in re.findall(r"\]\(([^)\s#:]+)(?:#[^)]*)?\)", re.sub(r"`[^`\n]*`", "", code)):
+                    links += 1
+                    self.assertTrue((page.parent / target).exists(), f"{page.relative_to(out)} links to {target}")
+            self.assertGreater(links, 100)
+            table = (out / "README.md").read_text(encoding="utf-8")
+            self.assertEqual(re.findall(r"^\| \[(\d\d) .*\]\(labs/", table, re.MULTILINE), [lab.number for lab in chosen])
+            self.assertEqual(subprocess.run([sys.executable, "-B", "tests/checks/readme.py"], cwd=out, check=False).returncode, 0)
 
     def test_whatever_leaks_is_found(self):
         region = release.regions(LAB.solution_file.read_text(encoding="utf-8"))[0]

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The repository that students get: without solutions, mutants, hidden tests and grading; and the proof that it is."""
 
+import functools
 import pathlib
+import posixpath
 import re
 import shutil
 import subprocess
+import sys
 
 import labs
 import process
@@ -46,6 +49,7 @@ def run(arguments: list[str]) -> int:
     return 0
 
 
+@functools.cache
 def tracked() -> list[str]:
     """What git knows of, as it stands in the folder: nothing that lies about by chance."""
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=False)
@@ -68,9 +72,8 @@ def copy(chosen: list[labs.Lab], out: pathlib.Path) -> int:
         count += 1
     for lab in chosen:  # whatever the author has in the starter's place
         (out / "labs" / lab.folder / lab.header).write_text(lab.starter(), encoding="utf-8")
-    for page in out.rglob("*.md"):  # links to what stays behind
-        text = page.read_text(encoding="utf-8")
-        page.write_text(re.sub(r"\[([^\]]*)\]\((?:[\w./]*/)?(?:labs|instructors)\.md\)", r"\1", text), encoding="utf-8")
+    subprocess.run([sys.executable, "-B", str(out / "tests" / "checks" / "readme.py"), "--write"], check=True)  # the table of the labs that are there
+    unlink(out)
     lists = out / "tests" / "labs" / "CMakeLists.txt"
     text = lists.read_text(encoding="utf-8")
     text = re.sub(r"(?<=lantern_lab_test\()(\w+) MUTANTS[^()]*?(\s+LIBRARIES[^()]*)?\)", r"\1\2)", text)
@@ -78,6 +81,27 @@ def copy(chosen: list[labs.Lab], out: pathlib.Path) -> int:
     text = re.sub(r"^(set_tests_properties\(labs/tools|  \"\$\{CMAKE_CXX_COMPILER\}\" -std).*\n", "", text, flags=re.MULTILINE)
     lists.write_text(text, encoding="utf-8")
     return count
+
+
+LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s#:]+)(?:#[^)]*)?\)")
+
+
+def dead_links(page: pathlib.Path, out: pathlib.Path) -> list[re.Match]:
+    """The links of a page of the copy to what stayed behind. (What looks like a link to what was never there is C++: a lambda.)"""
+    here = page.parent.relative_to(out).as_posix()
+    places = {posixpath.dirname(name) for name in tracked()}
+    known = {*tracked(), *places, *(parent.as_posix() for place in places for parent in pathlib.PurePosixPath(place).parents)}
+    return [link for link in LINK.finditer(page.read_text(encoding="utf-8"))
+            if (target := posixpath.normpath(posixpath.join(here, link[2]))) in known and not (out / target).exists()]
+
+
+def unlink(out: pathlib.Path) -> None:
+    """Leaves the words of each dead link."""
+    for page in out.rglob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        for link in reversed(dead_links(page, out)):
+            text = text[:link.start()] + link[1] + text[link.end():]
+        page.write_text(text, encoding="utf-8")
 
 
 # ---- The proof: by what the copy holds, not by how it was made -----------------------------------------------------
