@@ -3,16 +3,22 @@
 
 #include <lantern/diffuse.hpp>
 #include <lantern/moving.hpp>
+#include <lantern/moving_light.hpp>
 #include <lantern/rectangle.hpp>
+#include <lantern/rectangle_light.hpp>
 #include <lantern/sphere.hpp>
+#include <lantern/sphere_light.hpp>
 
 #include "catch.hpp"
 #include "oracle.hpp"
+#include "recording_source.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 using lantern::diffuse;
@@ -27,6 +33,12 @@ namespace {
 
 const diffuse white{glm::vec3(1)};
 
+/// Lit from either side, as a leaf is.
+struct leaf {};
+glm::vec3 evaluate(leaf, glm::vec3, const lantern::hit& h, glm::vec3 out) { return glm::vec3(std::abs(glm::dot(out, h.normal))); }
+
+bool same(const lantern::illumination& a, const lantern::illumination& b) { return a.position == b.position && a.irradiance == b.irradiance; }
+
 /// Counts the rays that it is asked about.
 struct counting : every {
     mutable int rays = 0;
@@ -37,6 +49,26 @@ struct counting : every {
 };
 
 }  // namespace
+
+TEST_CASE("a light is asked with what it needs: numbers of its own, the time of the ray, or neither") {
+    const point_light spark{{0, 3, 0}, glm::vec3(7)};
+    const lantern::moving firefly{spark, {4, 0, 0}};
+    const lantern::rectangle_light window{{-1, 3, -1}, {2, 0, 0}, {0, 0, 2}};
+    const lantern::moving comet{lantern::sphere_light{{-2, 3, 0}, 0.5f}, {4, 0, 0}};
+    const lantern::timed_ray r{{}, 0.25f};
+    const glm::vec3 point(0.5f, 0, 0);
+    recording asked;
+    const auto numbers = lantern::independent{}.at({3, 4}, 0);
+    const recording_source source{numbers, &asked};
+    const glm::vec2 xi = numbers.draw2(lantern::purpose::light, 5);
+    CHECK(same(illumination_from(spark, 5, r, point, source), illuminate(spark, point)));
+    CHECK(same(illumination_from(firefly, 5, r, point, source), illuminate(firefly, point, 0.25f)));
+    CHECK(asked.empty());
+    CHECK(same(illumination_from(window, 5, r, point, source), illuminate(window, point, xi)));
+    CHECK(asked.size() == 1);
+    CHECK(same(illumination_from(comet, 5, r, point, source), illuminate(comet, point, xi, 0.25f)));
+    CHECK(asked.size() == 1);
+}
 
 TEST_CASE("light that nothing blocks arrives whole: answer times irradiance") {
     const std::vector<sphere> things{{{0, 0, -5}, 1}};
@@ -64,6 +96,40 @@ TEST_CASE("only what stands between the hit and the light makes a shadow") {
     CHECK_FALSE(lit_with({0, 3.999f, 0}));
 }
 
+TEST_CASE("colours are answered each by itself: black in one is not black") {
+    const std::vector<sphere> things{{{0, 0, -5}, 1}, {{0, 0, -2}, 0.5f}};
+    const ray r{};
+    const lantern::hit h = *intersect(things[0], r, {});
+    const auto seen = [&](glm::vec3 material, glm::vec3 light, std::uint32_t count = 1) {
+        return direct_light(every{count}, things, r, r.direction, h, diffuse{material}, illuminate(point_light{{0, 0, 0}, light}, h.point));
+    };
+    const glm::vec3 whole = seen(glm::vec3(1), glm::vec3(1));
+    for (const glm::vec3 one : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
+        CHECK(seen(one, glm::vec3(1)) == one * whole);
+        CHECK(seen(glm::vec3(1), one) == one * whole);
+        CHECK(seen(one, glm::vec3(1), 2) == glm::vec3(0));  // in the shadow of the other sphere
+    }
+}
+
+TEST_CASE("a shadow ray leaves to the side of the light, not to that of the eye") {
+    const std::vector<rectangle> things{{{-5, 0, -5}, {0, 0, 10}, {10, 0, 0}}};
+    const ray down{{0, 1, 0}, {0, -1, 0}};
+    const lantern::hit h = *intersect(things[0], down, {});
+    for (const float height : {4.0f, -4.0f})
+        CHECK(direct_light(every{1}, things, down, down.direction, h, leaf{}, illuminate(point_light{{0, height, 0}}, h.point)).x > 0);
+}
+
+TEST_CASE("a shadow ray ends at the light, however far it is stepped off where it begins") {
+    const lantern::hit rough{.t = 1, .point = {0, 0, 0}, .normal = {0, 1, 0}, .error = 0.5f};
+    const ray down{{0, 1, 0}, {0, -1, 0}};
+    const auto lit_under = [&](float height) {
+        const std::vector<rectangle> lid{{{-1, height, -1}, {2, 0, 0}, {0, 0, 2}}};
+        return direct_light(every{1}, lid, down, down.direction, rough, white, illuminate(point_light{{0, 4, 0}}, rough.point)).x > 0;
+    };
+    CHECK(lit_under(4.001f));
+    CHECK_FALSE(lit_under(3.999f));
+}
+
 TEST_CASE("no shadow ray is shot where there is nothing to lose") {
     const std::vector<sphere> things{{{0, 0, -5}, 1}};
     const counting all{{1}};
@@ -82,6 +148,8 @@ TEST_CASE("a light in the surface itself gives no NaN") {
     const ray r{};
     const lantern::hit h = *intersect(things[0], r, {});
     CHECK(direct_light(every{1}, things, r, r.direction, h, white, illuminate(point_light{h.point}, h.point)) == glm::vec3(0));
+    const std::vector<sphere> none;  // that might shade it, and hide what is wrong
+    CHECK(direct_light(every{0}, none, r, r.direction, h, leaf{}, illuminate(point_light{h.point}, h.point)) == glm::vec3(0));
 }
 
 TEST_CASE("a shadow ray keeps the time of the ray that caused it") {
