@@ -38,6 +38,7 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -79,6 +80,23 @@ estimate mean_of(const Tracer& tracer, const Ray& r, std::uint32_t count, std::u
     const double mean = sum / count;
     return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean) / count)};
 }
+
+/// Sends two rays on, of any weights: up, and down through itself.
+struct two_ways {
+    glm::vec3 up{1}, on{1};
+};
+lantern::bounces scatter(const two_ways& m, glm::vec3 in, const lantern::hit& h) {
+    return {{lantern::mirrored(in, h.normal), m.up}, {in, m.on}};
+}
+
+/// Counts the rays that it is asked about.
+struct counting : every {
+    mutable int rays = 0;
+    void traverse(const ray& r, lantern::interval range, auto&& offer, auto&&... counter) const {
+        ++rays;
+        every::traverse(r, range, offer, counter...);
+    }
+};
 
 template <class Tracer, class Ray>
 draws drawn(const Tracer& tracer, const Ray& r) {
@@ -160,6 +178,62 @@ TEST_CASE("each effect draws its own numbers and no others") {
     CHECK(chosen.total() == 1);
     const std::vector nothing{object{floor_plane, glass{.index = 1}}};
     CHECK(drawn(distribution{one, nothing, no_lights, lantern::darkness{}, {.split_depth = 0}}, down).total() == 0);
+}
+
+TEST_CASE("what is black is neither followed nor chosen, and what is black in one colour is not black") {
+    const auto rays = [](const auto& m, std::uint32_t split) {
+        const std::vector things{object{floor_plane, m}};
+        const counting all{{1}};
+        draws counted;
+        const glm::vec3 seen = distribution{all, things, no_lights, white, {.split_depth = split}}(down, counting_source{&counted});
+        return std::tuple{all.rays, counted.total(), seen};
+    };
+    const glm::vec3 black(0), cyan(0, 1, 1), half(0.5f);
+    CHECK(rays(mirror{black}, 0) == std::tuple{1, 0, black});
+    CHECK(rays(mirror{cyan}, 0) == std::tuple{2, 0, cyan});
+    for (const std::uint32_t split : {0u, 1u}) {
+        CHECK(rays(two_ways{black, black}, split) == std::tuple{1, 0, black});
+        CHECK(rays(two_ways{black, cyan}, split) == std::tuple{2, 0, cyan});
+        CHECK(rays(two_ways{cyan, black}, split) == std::tuple{2, 0, cyan});
+    }
+    CHECK(rays(two_ways{half, half}, 0) == std::tuple{2, 1, glm::vec3(1)});  // one of them, weighed for both
+    CHECK(rays(two_ways{cyan, cyan}, 0) == std::tuple{2, 1, 2.0f * cyan});
+    CHECK(rays(two_ways{half, half}, 1) == std::tuple{3, 0, glm::vec3(1)});
+}
+
+TEST_CASE("what is seen does not depend on the length of a ray's direction") {
+    using material = std::variant<diffuse, lantern::blinn_phong, mirror, glossy, glass>;
+    const std::vector lights{point_light{{3, 3, 0}, glm::vec3(20)}};
+    const every one{1};
+    const auto source = independent{}.at({0, 0}, 0);
+    for (const material& m : {material(diffuse{}), material(lantern::blinn_phong{}), material(mirror{}), material(glossy{}), material(glass{})}) {
+        const std::vector things{object{floor_plane, m}};
+        const distribution tracer{one, things, lights, lantern::sky{}};
+        for (const glm::vec3 direction : {glm::vec3(0.6f, -0.8f, 0), glm::vec3(0.6f, 0.8f, 0)}) {
+            const ray once{{0, 1, 0}, direction}, thrice{{0, 1, 0}, 4.0f * direction};
+            CHECK(glm::distance(tracer(once, source), tracer(thrice, source)) < 1e-6f);
+        }
+    }
+}
+
+TEST_CASE("every ray and every light has numbers of its own") {
+    using material = std::variant<diffuse, glossy, glass>;
+    const std::vector<object<plane, material>> things{
+        {plane{{0, 2, 0}, {0, 1, 0}}, glass{}}, {plane{{0, 0, 0}, {0, 1, 0}}, glossy{}}, {plane{{0, 5, 0}, {0, -1, 0}}, diffuse{}}};
+    const lantern::rectangle_light lamp{{-1, 4, -1}, {2, 0, 0}, {0, 0, 2}};
+    const std::vector lights{lamp, lamp};
+    const every all{3};
+    recording asked;
+    (void)distribution{all, things, lights, white, {.depth = 3}}(ray{{0, 3, 0}, {0, -1, 0}}, recording_source{independent{}.at({0, 0}, 0), &asked});
+    // Reflected to the ceiling; and through the glass to the gloss, and from there back through the glass to the ceiling.
+    std::string names;
+    for (const auto& [name, number] : asked) names += name + "\n";
+    INFO(names);
+    const auto light = std::to_string(static_cast<std::uint32_t>(purpose::light)), gloss = std::to_string(static_cast<std::uint32_t>(purpose::gloss));
+    for (const std::string& name : {"0/ purpose " + light + ", which 0", "0/ purpose " + light + ", which 1", "1/ purpose " + gloss + ", which 0",
+                                   "1/0/1/ purpose " + light + ", which 0", "1/0/1/ purpose " + light + ", which 1"})
+        CHECK(asked.count(name) == 1);
+    CHECK(asked.count("1/0/ purpose " + light + ", which 0") == 0);
 }
 
 TEST_CASE("beyond the depth nothing is drawn") {
