@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <concepts>
 #include <cstdint>
 
@@ -33,7 +34,11 @@ public:
     [[nodiscard]] const bounce* begin() const { return rays_.data(); }
     [[nodiscard]] const bounce* end() const { return rays_.data() + size_; }
     [[nodiscard]] std::uint32_t size() const { return size_; }
-    [[nodiscard]] const bounce& operator[](std::uint32_t i) const { return rays_[i]; }
+    /// i < size().
+    [[nodiscard]] const bounce& operator[](std::uint32_t i) const {
+        assert(i < size_);
+        return rays_[i];
+    }
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] friend bounces operator*(float factor, bounces rays) {
         for (bounce& b : rays.rays_) b.weight *= factor;

@@ -52,9 +52,10 @@ struct path_options {
 
 /// One path for every sample. At a hit every lamp gets a shadow ray as long as the path came straight from the eye or by way of
 /// mirrors, and one lamp by chance later on; then one ray goes on, chosen among what the material scatters to. After some bounces
-/// a path goes on with a probability equal to what it still carries, and is divided by it: so it carries no more than 1, ever, it
-/// ends, and no light is lost. Purposes: `light`, `gloss`, `branch` as in `distribution`; `scatter`, `light_choice`, `roulette`.
-/// It looks at an acceleration structure, things, lights and a background; it owns none, and they must outlive it.
+/// a path goes on with a probability equal to what it still carries, and is divided by it: so it carries no more than 1 (but for 2^-14
+/// a bounce where nothing is absorbed), it ends, and no light is lost. Purposes: `light`, `gloss`, `branch` as in `distribution`;
+/// `scatter`, `light_choice`, `roulette`. It looks at an acceleration structure, things, lights and a background; it owns none, and they
+/// must outlive it.
 template <class Accelerator, class Thing, class Light, background Background = darkness>
 class path {
 public:
