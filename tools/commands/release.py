@@ -17,7 +17,7 @@ SUMMARY = "write the students' repository: no solutions, mutants or hidden tests
 USAGE = "release DIR [--labs NN...] [--no-build]"
 
 # What a course keeps for itself.
-KEPT = re.compile(r"solutions/|grading/|tests/support/hidden\.hpp|tests/grading/|tools/grading/|tests/labs/[^/]+/(mutants/|hidden\.cpp)|labs/[^/]+/grading\.json|\.ci/|"
+KEPT = re.compile(r"solutions/|grading/|tests/support/(hidden|mutants)\.hpp|tests/grading/|tools/grading/|tests/labs/[^/]+/(mutants/|hidden\.cpp)|labs/[^/]+/grading\.json|\.ci/|"
                   r"tests/labs/((tools|loop|explain)_test\.py|untold/)|tests/report/students_test\.py|tools/reporting/submissions\.py|tools/lab_test\.py|tools/new_lab/|tools/commands/(grade|pack|release|new|mutants|starters)\.py|docs/(labs|instructors)\.md")
 
 
