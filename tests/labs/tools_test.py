@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -19,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 import lab  # noqa: E402
+import lab_test  # noqa: E402
 import labs  # noqa: E402
 import machine  # noqa: E402
 import ppm_to_png  # noqa: E402
@@ -77,6 +79,35 @@ class Mutants(unittest.TestCase):
                      "who: I\ncaught by: f\n--- find\n1\n"):
             with self.assertRaises(labs.Problem):
                 self.read(text)
+
+    def test_mutants_share_files_each_in_a_namespace_of_its_own(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name) / "lab00_x"
+            folder.mkdir()
+            (folder / "x.hpp").write_text("#pragma once\n#include <cmath>\nnamespace lab00 { inline int f() { return 42; } }\n", encoding="utf-8")
+            (folder / "bind.cpp").write_text('#include "contract.hpp"\n\n#include <lab00_x/x.hpp>\n\nint use();\n', encoding="utf-8")
+            mutants = [labs.Mutant(each, "I", ["f"], [("return 42", f"return {i}")]) for i, each in enumerate(("nought", "one", "two"))]
+            first, second = labs.mutants_in_files(folder / "x.hpp", folder / "bind.cpp", mutants, 2)
+            for file, has, lacks in ((first, ("nought", "two"), "one"), (second, ("one",), "two")):
+                body = file[file.index("namespace mutant_"):]
+                self.assertEqual(re.findall(r"namespace mutant_(\w+) \{", file), list(has))
+                self.assertNotIn(f"mutant_{lacks}", file)
+                self.assertNotIn("#include", body)  # in a namespace it would be the library's end
+                self.assertEqual(body.count("int use();"), len(has))
+                self.assertEqual((file.count("#include <cmath>"), file.count("x.hpp>"), file.count(f'#include "{folder}/contract.hpp"')), (1, 0, 1))
+            self.assertIn("return 0;", first)
+            self.assertIn("return 1;", second)
+            self.assertIn('known({"nought", "one", "two"})', first)
+            self.assertNotIn("known(", second)
+
+    def test_a_program_that_does_not_know_the_mutant_has_not_caught_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "program"
+            program.write_text("#!/bin/sh\nexit 2\n", encoding="utf-8")
+            program.chmod(0o755)
+            failed, wrong = lab_test.mutant_verdict(LAB, program, labs.Mutant("unknown", "I", ["f"], []))
+            self.assertEqual(failed, [])
+            self.assertTrue(any("no test was run (exit status 2)" in line for line in wrong), wrong)
 
 
 def report(*tests: str) -> str:
