@@ -58,6 +58,12 @@ def tracked() -> list[str]:
     return [name for name in listed.stdout.split("\0") if name]
 
 
+@functools.cache
+def places() -> set[str]:
+    """What git knows of, and the folders that it is in."""
+    return {*tracked(), *(parent.as_posix() for name in tracked() for parent in pathlib.PurePosixPath(name).parents)}
+
+
 def copy(chosen: list[labs.Lab], out: pathlib.Path) -> int:
     folders = {lab.folder for lab in chosen}
     count = 0
@@ -78,7 +84,7 @@ def copy(chosen: list[labs.Lab], out: pathlib.Path) -> int:
     text = lists.read_text(encoding="utf-8")
     text = re.sub(r"(?<=lantern_lab_test\()(\w+) MUTANTS[^()]*?(\s+LIBRARIES[^()]*)?\)", r"\1\2)", text)
     text = re.sub(r"^.*(tools|loop)_test\.py[^)]*\)\n(  \"[^\n]*\n)?", "", text, flags=re.MULTILINE)
-    text = re.sub(r"^(set_tests_properties\(labs/tools|  \"\$\{CMAKE_CXX_COMPILER\}\" -std).*\n", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^(set_tests_properties\(labs/(?:tools|loop)|  \"\$\{CMAKE_CXX_COMPILER\}\" -std).*\n", "", text, flags=re.MULTILINE)
     lists.write_text(text, encoding="utf-8")
     return count
 
@@ -89,10 +95,8 @@ LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s#:]+)(?:#[^)]*)?\)")
 def dead_links(page: pathlib.Path, out: pathlib.Path) -> list[re.Match]:
     """The links of a page of the copy to what stayed behind. (What looks like a link to what was never there is C++: a lambda.)"""
     here = page.parent.relative_to(out).as_posix()
-    places = {posixpath.dirname(name) for name in tracked()}
-    known = {*tracked(), *places, *(parent.as_posix() for place in places for parent in pathlib.PurePosixPath(place).parents)}
     return [link for link in LINK.finditer(page.read_text(encoding="utf-8"))
-            if (target := posixpath.normpath(posixpath.join(here, link[2]))) in known and not (out / target).exists()]
+            if (target := posixpath.normpath(posixpath.join(here, link[2]))) in places() and not (out / target).exists()]
 
 
 def unlink(out: pathlib.Path) -> None:
