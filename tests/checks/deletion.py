@@ -63,7 +63,11 @@ def by_includes(deleted: str) -> list[str]:
 
 def opened_by(build: pathlib.Path) -> dict[str, set[str]]:
     """The files that the compiler opened for each object in the folder, as Ninja noted them; only what is up to date."""
-    said = subprocess.run(["ninja", "-C", str(build), "-t", "deps"], capture_output=True, text=True, check=False).stdout
+    cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
+    ninja = re.search(r"^CMAKE_MAKE_PROGRAM:\w+=(.*ninja.*)$", cache, re.MULTILINE)
+    if not ninja:
+        return {}  # another generator: nothing is known
+    said = subprocess.run([ninja[1], "-C", str(build), "-t", "deps"], capture_output=True, text=True, check=False).stdout
     opened: dict[str, set[str]] = {}
     for block in re.split(r"\n\n", said):
         head, *files = block.strip().splitlines() or [""]
