@@ -92,6 +92,7 @@ set(LANTERN_FLOOR_2
   triangle_packet
   wide_build
   wide_bvh
+  wide_collapse
   wide_split
   wide_walk
   within

@@ -5,6 +5,7 @@
 #include <lantern/aabb.hpp>
 #include <lantern/lanes.hpp>
 #include <lantern/large_pages.hpp>
+#include <lantern/wide_collapse.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -69,8 +70,9 @@ public:
     struct branch {
         aabb box;
         std::uint32_t first, count;  ///< of the items
-        std::uint32_t children;      ///< the first of two; 0 for a leaf
+        std::uint32_t children;      ///< the first of two; 0 where nothing is to be cut
         std::uint32_t blocks;        ///< for whoever lays it out
+        branch_cost cost;            ///< a leaf, or a node, as this says
     };
     static constexpr std::uint32_t packet_size = 4, most_packets = 7;  ///< of triangles; of packets in a leaf
     static constexpr std::uint32_t max_depth = 60;
@@ -81,6 +83,8 @@ public:
         : items_(items), branches_(2 * items.size()), by_length_(by_length), others_(others) {
         extent all;
         for (const item& i : items) all.add(corners(i));
+        const double surface = cost(all.box, 1);
+        per_surface_ = surface > 0 ? 1 / surface : 0;
         place(0, all, 0, static_cast<std::uint32_t>(items.size()));
         divide(0, all, max_depth);
     }
@@ -116,20 +120,25 @@ private:
 
     void place(std::uint32_t at, const extent& e, std::uint32_t first, std::uint32_t count) {
         const quad &l = e.box.lower, &u = e.box.upper;
-        branches_[at] = {{{l[0], l[1], l[2]}, {u[0], u[1], u[2]}}, first, count, 0, 0};
+        branches_[at] = {{{l[0], l[1], l[2]}, {u[0], u[1], u[2]}}, first, count, 0, 0, {}};
     }
 
     void divide(std::uint32_t at, const extent& all, std::uint32_t levels) {
-        const auto [box, first, count, none, nothing] = branches_[at];
-        if (count <= packet_size) return;
+        const std::uint32_t first = branches_[at].first, count = branches_[at].count;
+        const auto surface = static_cast<float>(cost(all.box, 1) * per_surface_);
         extent low, high;
-        const std::uint32_t middle = cut(items_.subspan(first, count), all, by_length_, levels, low, high);
-        if (middle == 0) return;
+        const std::uint32_t middle = count > packet_size ? cut(items_.subspan(first, count), all, by_length_, levels, low, high) : 0;
+        if (middle == 0) {
+            branches_[at].cost = cost_of_leaf(surface, packets(count));
+            return;
+        }
         const std::uint32_t lower = used_.fetch_add(2), upper = lower + 1;
         branches_[at].children = lower;
         place(lower, low, first, middle);
         place(upper, high, first + middle, count - middle);
         others_.both(count > few, [&] { divide(lower, low, levels - 1); }, [&] { divide(upper, high, levels - 1); });
+        const float as_leaf = packets(count) <= most_packets ? surface * static_cast<float>(packets(count)) : infinity;
+        branches_[at].cost = cost_of(branches_[lower].cost, branches_[upper].cost, surface, as_leaf);
     }
 
     // Orders the items and says how many go to the lower child: where area times packets, summed over both children, is
@@ -258,6 +267,7 @@ private:
     std::vector<branch, large_page_allocator<branch>> branches_;
     std::atomic<std::uint32_t> used_{2};  // 1 stays free: two children never straddle
     bool by_length_;
+    double per_surface_ = 0;  // costs count in the root's surface, so that float has room for all
     helpers& others_;
 };
 

@@ -14,6 +14,7 @@
 #include <lantern/triangle_packet.hpp>
 #include <lantern/validate.hpp>
 #include <lantern/wide_build.hpp>
+#include <lantern/wide_collapse.hpp>
 #include <lantern/wide_split.hpp>
 #include <lantern/wide_walk.hpp>
 
@@ -186,35 +187,11 @@ private:
         ::new (static_cast<void*>(&blocks_[where])) T(thing);
     }
 
-    /// Up to eight descendants of a branch become the children of one node: the largest one is opened as long as there is
-    /// room (Wald, Benthin and Boulos 2008).
-    struct children {
-        std::array<std::uint32_t, 8> at;
-        std::size_t count = 2;
-
-        children(const binary_tree& tree, std::uint32_t root) : at{tree[root].children, tree[root].children + 1} {
-            std::array<double, 8> area{openable(tree, at[0]), openable(tree, at[1])};
-            while (count < at.size()) {
-                const auto widest = static_cast<std::size_t>(std::max_element(area.begin(), area.begin() + count) - area.begin());
-                if (area[widest] < 0) break;
-                const std::uint32_t lower = tree[at[widest]].children;
-                at[widest] = lower;
-                at[count] = lower + 1;
-                area[widest] = openable(tree, at[widest]);
-                area[count] = openable(tree, at[count]);
-                ++count;
-            }
-        }
-        static double openable(const binary_tree& tree, std::uint32_t i) {
-            return tree[i].children != 0 ? surface_area(tree[i].box) : -1;
-        }
-    };
-
     /// How many blocks a branch takes.
     static std::uint32_t measure(binary_tree& tree, std::uint32_t root) {
         std::uint32_t& sum = tree[root].blocks;
-        if (tree[root].children == 0) return sum = wide::packet_blocks * binary_tree::packets(tree[root].count);
-        const children slots(tree, root);
+        if (tree[root].cost.leaf) return sum = wide::packet_blocks * binary_tree::packets(tree[root].count);
+        const wide::children slots(tree, root);
         sum = wide::node_blocks;
         for (std::size_t i = 0; i < slots.count; ++i) sum += measure(tree, slots.at[i]);
         return sum;
@@ -223,19 +200,19 @@ private:
     /// From a block on: a node, then its packets, then the nodes below.
     std::uint32_t lay_out(const binary_tree& tree, std::uint32_t root, std::uint32_t where, const auto& packet,
                           wide::helpers& others) {
-        if (const auto& leaf = tree[root]; leaf.children == 0) {
+        if (const auto& leaf = tree[root]; leaf.cost.leaf) {
             constexpr std::uint32_t full = binary_tree::packet_size;
             for (std::uint32_t i = 0, at = where; i < leaf.count; i += full, at += wide::packet_blocks)
                 put(at, packet(leaf.first + i, std::min(leaf.count - i, full)));
             return wide::word(where, binary_tree::packets(leaf.count));
         }
-        const children slots(tree, root);
+        const wide::children slots(tree, root);
         wide::node n;
         std::uint32_t at = where + wide::node_blocks;
         for (const bool inner : {false, true})
             for (std::size_t i = 0; i < slots.count; ++i) {
                 const auto& b = tree[slots.at[i]];
-                if ((b.children != 0) != inner) continue;
+                if (b.cost.leaf == inner) continue;
                 n.boxes.set(i, b.box);
                 n.child[i] = wide::word(at, inner ? 0 : binary_tree::packets(b.count));
                 at += b.blocks;
