@@ -247,19 +247,21 @@ private:
             try_cuts(items, binning(measure::length, lengths, used), used, best);
         }
         if (!(best.cost > 0 && best.by)) return 0;
-        low = high = {};
+        // Which side an item is on nobody can predict, so there is no branch: each trades places with the first of those at the upper side.
         const binning bin_of = *best.by;
-        std::size_t first = 0, last = items.size();
-        while (first < last) {
-            const box4 b = corners(items[first]);
-            if (bin_of(b)[best.axis] < static_cast<std::int32_t>(best.bin)) {
-                low.add(b);
-                ++first;
-            } else {
-                high.add(b);
-                std::swap(items[first], items[--last]);
-            }
+        extent side[2];
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const item moving = items[i];
+            const box4 b = corners(moving);
+            const bool lower = bin_of(b)[best.axis] < static_cast<std::int32_t>(best.bin);
+            side[lower ? 0 : 1].add(b);
+            items[i] = items[first];
+            items[first] = moving;
+            first += lower;
         }
+        low = side[0];
+        high = side[1];
         return static_cast<std::uint32_t>(first);
     }
 
