@@ -79,6 +79,24 @@ using quad_integers = std::int32_t __attribute__((vector_size(16)));  ///< 4
     to = *reinterpret_cast<const in_memory*>(reinterpret_cast<const std::byte*>(from) + bytes);
 }
 
+/// The first four lanes, and the last four.
+[[gnu::always_inline]] inline void take_apart(const floats& all, quad& first, quad& last) {
+#if defined(__AVX2__)
+    first = _mm256_castps256_ps128(all);
+    last = _mm256_extractf128_ps(all, 1);
+#else
+    first = quad{all[0], all[1], all[2], all[3]};
+    last = quad{all[4], all[5], all[6], all[7]};
+#endif
+}
+[[gnu::always_inline]] inline void put_together(const quad& first, const quad& last, floats& all) {
+#if defined(__AVX2__)
+    all = _mm256_set_m128(last, first);
+#else
+    all = floats{first[0], first[1], first[2], first[3], last[0], last[1], last[2], last[3]};
+#endif
+}
+
 /// Bit i is set where lane i of a comparison's result holds.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t lanes_of(const integers& mask) {
 #if defined(__AVX2__)
