@@ -59,15 +59,19 @@ public:
         items.reserve(count);
         wide::needles needles;
         const auto begin = std::ranges::begin(triangles);
-        for (std::uint32_t i = 0; i < size_; ++i) {
-            const triangle t = begin[i];
-            if (!is_finite(t.a) || !is_finite(t.b) || !is_finite(t.c)) continue;
-            const aabb box = bounds(t);
-            items.push_back({box.min, i, box.max, 0});
-            needles.add(t, items.back());
-            const glm::vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
-            reach_ = std::max(reach_, std::max(std::max(far.x, far.y), far.z));
-        }
+        const auto gather = [&] {
+            for (std::uint32_t i = 0; i < size_; ++i) {
+                const triangle t = begin[i];
+                if (!is_finite(t.a) || !is_finite(t.b) || !is_finite(t.c)) continue;
+                const aabb box = bounds(t);
+                items.push_back({box.min, i, box.max, 0});
+                needles.add(t, items.back());
+                const glm::vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
+                reach_ = std::max(reach_, std::max(std::max(far.x, far.y), far.z));
+            }
+            return needles.count(items);
+        };
+        const std::size_t thin = gather();
         if (!(reach_ < 0x1p60f)) refuse("wide_bvh: a coordinate", to_text(reach_), "less than 2^60");
         left_out_ = size_ - static_cast<std::uint32_t>(items.size());
         if (items.empty()) return;
@@ -79,19 +83,20 @@ public:
             blocks = wide::packet_blocks + measure(*tree, 0);  // one packet of nothing comes first: unused slots of nodes lead there
         };
         // A few long thin triangles are cut up; but if they are many, that would take too much memory.
-        const std::size_t thin = needles.count(items);
         std::size_t cuts = items.size() * 3 / 10;
         if (thin > 0 && thin <= cuts) {
             const auto triangle_of = [&](std::uint32_t i) -> triangle { return begin[i]; };
-            const wide::item_list whole = items;
-            do {
+            for (;;) {
                 needles.cut(items, triangle_of, cuts);
                 plant(false);
                 if (blocks * sizeof(wide::block) <= most_bytes * count) break;
                 cuts /= 2;
-                items = whole;
                 tree.reset();
-            } while (thin <= cuts);
+                items.clear();
+                needles = {};
+                (void)gather();  // they have been cut, and put in another order
+                if (thin > cuts) break;
+            }
         }
         if (!tree) plant(thin > 0);
         if (blocks >= std::size_t{1} << 29) refuse("wide_bvh: the memory for it", std::to_string(blocks * sizeof(wide::block)), "below 2^34 bytes");

@@ -82,7 +82,9 @@ public:
     /// Ernst and Greiner 2007; in an order like that of Karras and Aila 2013). A cut item keeps the lower part, and a new one, at the end,
     /// gets the upper. The items are those that were added; `triangle_of(index)` is their triangle.
     void cut(item_list& items, const auto& triangle_of, std::size_t most) const {
+        items.reserve(items.size() + most);
         std::vector<plan> plans;
+        std::vector<halves> cuts;  // beside the heap, which moves its entries about
         // Planned only if the parts have much less surface than the whole: needles' have half of it, and what has a good shape keeps
         // three quarters. What is won must be a tenth of an average box, too.
         const auto consider = [&](std::size_t which) {
@@ -92,7 +94,8 @@ public:
             const halves parts = cut_in_two(triangle_of(i.index), {i.lower, i.upper});
             const double gain = area - 0.5 * (surface_area(parts.low) + surface_area(parts.high));
             if (empty(parts.low) || !(gain > least)) return false;
-            plans.push_back({gain, static_cast<std::uint32_t>(which), parts});
+            plans.push_back({gain, static_cast<std::uint32_t>(which), static_cast<std::uint32_t>(cuts.size())});
+            cuts.push_back(parts);
             return true;
         };
         for (const std::uint32_t i : found_) (void)consider(i);
@@ -102,8 +105,9 @@ public:
             const plan p = plans.back();
             plans.pop_back();
             const std::uint32_t index = items[p.which].index;
-            items[p.which] = {p.parts.low.min, index, p.parts.low.max, 0};
-            items.push_back({p.parts.high.min, index, p.parts.high.max, 0});
+            const auto [low, high] = cuts[p.cut];
+            items[p.which] = {low.min, index, low.max, 0};
+            items.push_back({high.min, index, high.max, 0});
             for (const std::size_t i : {std::size_t{p.which}, items.size() - 1})
                 if (consider(i)) std::ranges::push_heap(plans, later);
         }
@@ -112,8 +116,7 @@ public:
 private:
     struct plan {
         double gain;
-        std::uint32_t which;
-        halves parts;
+        std::uint32_t which, cut;
     };
 
     // The largest gain first; of equal ones the first item, so that the order is always the same.
