@@ -50,7 +50,7 @@ TEST_CASE("a packet gives its triangles back as they were") {
 
 TEST_CASE("a packet decides as its triangles do alone, in any direction, through edges and vertices too") {
     dice d{.state = 2};
-    lantern::packet_corners ignored;
+    lantern::packet_sides ignored;
     int hits = 0;
     for (int i = 0; i < 20'000; ++i) {
         const double size = i % 3 == 0 ? 1e-3 : 1;
@@ -90,9 +90,9 @@ TEST_CASE("where a packet is sure of t, the triangle says the same, bit by bit")
         if (i % 4 == 0) r = {(t.a + t.b + t.c) / 3.0f, d.in_cube()};                      // from a triangle
         if (i % 4 == 1) r = {t.a + 2.0f * (t.a - t.b) + 1e-6f * d.in_cube(), t.b - t.a};  // along an edge
         const sheared_ray sheared(r, 10);
-        lantern::packet_corners corner;
+        lantern::packet_sides sides;
         lantern::packet_hits hits;
-        const std::uint32_t lanes = passes_through(p, sheared, corner), decided = meets_plane(p, sheared, r, lanes, corner, hits);
+        const std::uint32_t lanes = passes_through(p, sheared, sides), decided = meets_plane(p, sheared, r, lanes, sides, hits);
         for (std::uint32_t k = 0; k < 4; ++k) {
             if ((lanes >> k & 1) == 0) continue;
             const bool exactly = (hits.alike >> k & 1) != 0;
@@ -128,12 +128,12 @@ TEST_CASE("needles need not be asked themselves") {
         const glm::vec3 o = d.in_cube(3);
         const ray r{o, 0.5f * t.a + 0.25f * t.b + 0.25f * t.c - o};
         const sheared_ray sheared(r, 3);
-        lantern::packet_corners corner;
+        lantern::packet_sides sides;
         lantern::packet_hits hits;
-        const std::uint32_t lanes = passes_through(p, sheared, corner);
+        const std::uint32_t lanes = passes_through(p, sheared, sides);
         if ((lanes & 1) == 0) continue;
         ++hit;
-        unsure += (meets_plane(p, sheared, r, lanes, corner, hits) & 1) == 0;
+        unsure += (meets_plane(p, sheared, r, lanes, sides, hits) & 1) == 0;
     }
     CHECK(hit > 15'000);
     CHECK(unsure < hit / 50);
@@ -156,11 +156,11 @@ TEST_CASE("where a packet is sure of a hit, so is the triangle, however near an 
         r.direction[z] = d.magnitude_between(-3, 3);
         triangle_packet p;
         p.set(2, t, 0);
-        lantern::packet_corners corners;
+        lantern::packet_sides sides;
         lantern::packet_hits hits;
         const sheared_ray sheared(r, 12);
-        const std::uint32_t lanes = passes_through(p, sheared, corners);
-        static_cast<void>(meets_plane(p, sheared, r, lanes, corners, hits));
+        const std::uint32_t lanes = passes_through(p, sheared, sides);
+        static_cast<void>(meets_plane(p, sheared, r, lanes, sides, hits));
         if ((lanes >> 2 & 1) == 0) continue;
         const bool certain = (hits.alike >> 2 & 1) != 0;
         (certain ? sure : unsure) += 1;
@@ -179,7 +179,7 @@ TEST_CASE("where a packet is sure of a hit, so is the triangle, however near an 
 
 TEST_CASE("slots that are empty are never met, and a point is no triangle") {
     dice d{.state = 3};
-    lantern::packet_corners ignored;
+    lantern::packet_sides ignored;
     for (int i = 0; i < 2000; ++i) {
         triangle_packet p;
         const glm::vec3 point = d.in_cube();
@@ -194,7 +194,7 @@ TEST_CASE("slots that are empty are never met, and a point is no triangle") {
 
 TEST_CASE("what is clearly passed is not offered") {
     dice d{.state = 4};
-    lantern::packet_corners ignored;
+    lantern::packet_sides ignored;
     int offered = 0;
     for (int i = 0; i < 5000; ++i) {
         triangle_packet p;

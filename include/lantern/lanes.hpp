@@ -190,24 +190,12 @@ using quad_integers = std::int32_t __attribute__((vector_size(16)));  ///< 4
 #endif
 }
 
-/// To the last bit what their namesakes of double_double.hpp do in each lane.
+/// To the last bit what its namesake of double_double.hpp does in each lane.
 [[gnu::always_inline]] inline void multiply_add(const doubles& x, const doubles& y, const doubles& z, doubles& to) {
     if constexpr (has_fused_multiply_add)
         fused(x, y, z, to);
     else
         to = x * y + z;
-}
-[[gnu::always_inline]] inline void difference_of_products(const doubles& a, const doubles& b, const doubles& c,
-                                                          const doubles& d, doubles& to) {
-    if constexpr (has_fused_multiply_add) {
-        doubles cd, error;
-        fused(c, d, doubles{}, cd);
-        fused(-c, d, cd, error);
-        fused(a, b, -cd, to);
-        to += error;
-    } else {
-        to = a * b - c * d;
-    }
 }
 
 }  // namespace lantern

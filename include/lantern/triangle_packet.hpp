@@ -72,16 +72,13 @@ struct sheared_ray {
     }
 };
 
-/// The corners of four triangles, sheared: beside the ray, seen along it.
-struct packet_corners {
-    struct {
-        doubles x, y;
-    } a, b, c;
+/// On which side of a triangle's edges the ray passes, and how far: its three edge functions. Of one sign: it passes through.
+struct packet_sides {
+    doubles least, most;
 };
 
 /// What a ray and a packet have in common, triangle by triangle.
 struct packet_hits {
-    doubles u, v, w;       ///< the edge functions: the weights of a, b and c, if divided by their sum
     doubles normal[3];     ///< n = (b - a) x (c - a)
     doubles above, speed;  ///< n * (a - o) and n * d: t = above / speed
     std::uint32_t alike;   ///< the lanes where `intersect` of the triangle is sure of a hit, and computes this t, to the last bit
@@ -90,8 +87,11 @@ struct packet_hits {
 /// Which triangles the line of a finite ray passes through: bit i for triangle i. Where rounding might decide it says yes, so it
 /// never says no to a triangle that is hit. Nearly all triangles end here, so it costs as little as can be.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t passes_through(const triangle_packet& p, const sheared_ray& r,
-                                                                      packet_corners& corner) {
+                                                                      packet_sides& sides) {
     const float *const in_x = p.vertex + r.x, *const in_y = p.vertex + r.y, *const in_z = p.vertex + r.z;
+    struct {
+        doubles x, y;
+    } A, B, C;  // sheared: beside the ray, seen along it
     const auto shear = [&](std::size_t v, auto& to) __attribute__((always_inline)) {
         doubles x, y, z;
         widen(in_x + 12 * v, x);
@@ -103,10 +103,9 @@ struct packet_hits {
         multiply_add(r.sx, z, x, to.x);
         multiply_add(r.sy, z, y, to.y);
     };
-    shear(0, corner.a);
-    shear(1, corner.b);
-    shear(2, corner.c);
-    const auto& [A, B, C] = corner;
+    shear(0, A);
+    shear(1, B);
+    shear(2, C);
     const auto edge = [](const auto& from, const auto& to, doubles& side) __attribute__((always_inline)) {
         multiply_add(from.x, to.y, -(from.y * to.x), side);
     };
@@ -114,7 +113,8 @@ struct packet_hits {
     edge(C, B, u);
     edge(A, C, v);
     edge(B, A, w);
-    doubles least = u, most = u;
+    auto& [least, most] = sides;
+    least = most = u;
     keep_smaller(least, v);
     keep_smaller(least, w);
     keep_larger(most, v);
@@ -127,12 +127,8 @@ struct packet_hits {
 /// it is computed in the same way, number by number, or because no error that it may have would change how it is rounded. In the
 /// others, which are rare, the triangle itself must be asked. Where t is negative it says no more than that. (docs/headers/triangle_packet.md)
 [[nodiscard, gnu::always_inline]] inline std::uint32_t meets_plane(const triangle_packet& p, const sheared_ray& r, const ray& given,
-                                                                   std::uint32_t lanes, const packet_corners& corner,
+                                                                   std::uint32_t lanes, const packet_sides& sides,
                                                                    packet_hits& hits) {
-    const auto& [A, B, C] = corner;
-    difference_of_products(C.x, B.y, C.y, B.x, hits.u);
-    difference_of_products(A.x, C.y, A.y, C.x, hits.v);
-    difference_of_products(B.x, A.y, B.y, A.x, hits.w);
     const precise::ray exact = precise::widen(given);
     doubles e1[3], e2[3], to[3];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -165,15 +161,10 @@ struct packet_hits {
     magnitude(hits.above, height);
     magnitude(hits.speed, slope);
     const doubles scale = 0x1p-15 * size1 * size2, low = scale * distance, flat = scale * precise::size(exact.direction);
-    // Inside for certain: u, v, w are wrong by 2^-48 span². In units of them the bound of `intersect` is at most 2^-49 span², and its
-    // numbers are wrong by half of that; so a triangle is sure, too, of whatever this believes.
-    doubles least = hits.u, most = hits.u;
-    keep_smaller(least, hits.v);
-    keep_smaller(least, hits.w);
-    keep_larger(most, hits.v);
-    keep_larger(most, hits.w);
-    const doubles span = distance + (size1 + size2), doubt = 0x1p-47 * (span * span);
-    const std::uint32_t inside = lanes_less(doubt, least) | lanes_less(most, -doubt);
+    // Inside for certain: the sides are wrong by 2^-46.6 span². In units of them the bound of `intersect` is at most 2^-49 span², and
+    // its numbers are wrong by half of that; so a triangle is sure, too, of whatever this believes.
+    const doubles span = distance + (size1 + size2), doubt = 0x1p-46 * (span * span);
+    const std::uint32_t inside = lanes_less(doubt, sides.least) | lanes_less(sides.most, -doubt);
     hits.alike = inside & lanes_less(low, height) & lanes_less(flat, slope);
     if ((lanes & ~hits.alike) == 0) return hits.alike;
     // Behind the origin for certain: most often the very triangle that the ray has just left.

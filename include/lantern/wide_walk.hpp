@@ -93,9 +93,9 @@ struct best_hit {
     bool sure = false;  ///< the packet was; so is the triangle, whose bounds of the error are smaller
     float t = 0;
 
-    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners& corner, traveller& r, auto& counter) {
+    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_sides& sides, traveller& r, auto& counter) {
         packet_hits hits;
-        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, corner, hits);
+        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, sides, hits);
         const doubles all = hits.above / hits.speed;
         do {
             counter.offer();
@@ -132,9 +132,9 @@ struct best_hit {
 struct any_hit {
     bool found = false;
 
-    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners& corner, const traveller& r, auto& counter) {
+    [[gnu::always_inline]] bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_sides& sides, const traveller& r, auto& counter) {
         packet_hits hits;
-        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, corner, hits);
+        const std::uint32_t decided = meets_plane(p, r.triangles, *r.given, lanes, sides, hits);
         // Well within the range? That takes no division.
         const double first = std::max(r.range.min * (1 + 0x1p-20), 0x1p-126);
         const double last = std::min(r.range.max, std::numeric_limits<float>::max()) * (1 - 0x1p-20);
@@ -158,7 +158,7 @@ struct any_hit {
 template <class Offer>
 struct offering {
     Offer& offer;
-    bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_corners&, traveller& r, auto& counter) {
+    bool visit(const triangle_packet& p, std::uint32_t lanes, const packet_sides&, traveller& r, auto& counter) {
         for (; lanes != 0 && !empty(r.range); lanes &= lanes - 1) {
             counter.offer();
             r.range = offer(p.index[std::countr_zero(lanes)], r.range);
@@ -238,9 +238,9 @@ template <bool near_first, class Probe, class Visitor>
     } else {
         const auto* packet = reinterpret_cast<const triangle_packet*>(at(tree, r.next - packets));
         do {
-            packet_corners corner;
-            const std::uint32_t lanes = passes_through(*packet, r.triangles, corner);
-            if (lanes != 0 && !visitor.visit(*packet, lanes, corner, r, counter)) return false;
+            packet_sides sides;
+            const std::uint32_t lanes = passes_through(*packet, r.triangles, sides);
+            if (lanes != 0 && !visitor.visit(*packet, lanes, sides, r, counter)) return false;
             ++packet;
         } while (--packets != 0);
     }
