@@ -10,6 +10,7 @@
 #include "meshes.hpp"
 #include "oracle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -365,6 +366,24 @@ TEST_CASE("few nodes are looked at, and hardly more in a mesh of four times the 
     }
     CHECK(nodes[0] < 14 * 1000);
     CHECK(nodes[1] < nodes[0] + 4 * 1000);
+}
+
+TEST_CASE("shadow rays cost the same wherever the light stands") {
+    const mesh m = meshes::sphere(60);
+    const wide_bvh tree{m};
+    std::vector<double> nodes;
+    for (const glm::vec3 light : {glm::vec3(4, 5, 6), glm::vec3(-4, -5, -6), glm::vec3(-5, -1, 4), glm::vec3(5, 1, -4)}) {
+        lantern::probe counter;
+        dice d{.state = 14};
+        for (int i = 0; i < 2000; ++i) {
+            const auto h = closest(tree, ray{3.0f * glm::vec3(d.on_sphere()), d.in_cube(0.5)});
+            const auto seen = h ? h : closest(tree, ray{glm::vec3(0), glm::vec3(d.on_sphere())});
+            const glm::vec3 o = leave(*seen, light - seen->point);
+            (void)occluded(tree, ray{o, light - o}, interval{0, 0.999f}, counter);
+        }
+        nodes.push_back(double(counter.nodes) / 2000);
+    }
+    CHECK(*std::ranges::max_element(nodes) < 1.25 * *std::ranges::min_element(nodes));
 }
 
 TEST_CASE("needles cost no more than their share: few are cut up, many are put beside those that lie like them") {

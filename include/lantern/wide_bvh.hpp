@@ -45,6 +45,7 @@ struct wide_bvh_options {
 /// answers is what `every` answers, to the last bit. Only what lies ahead of a ray's origin is found, whatever the range says.
 class wide_bvh {
     using binary_tree = wide::binary_tree;
+    static constexpr wide::visiting nearest_first = wide::visiting::nearest_first;
 
 public:
     /// Over a mesh, or any range of triangles, fewer than 2^27 (134 million). One that is not finite is left out, and
@@ -117,13 +118,13 @@ public:
     template <class Offer, class Probe = no_probe>
     void traverse(const ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {
         wide::offering<Offer> visitor{offer};
-        walk<true>(r, range, counter, visitor);
+        walk<nearest_first>(r, range, counter, visitor);
     }
 
     template <class Probe>
     [[nodiscard]] std::optional<nearest> closest(const ray& ray, interval range, Probe& counter) const {
         wide::best_hit best;
-        walk<true>(ray, range, counter, best);
+        walk<nearest_first>(ray, range, counter, best);
         return best.result(ray);
     }
 
@@ -159,7 +160,7 @@ public:
         while (count > 0)
             for (std::size_t k = 0; k < count;) {
                 flight& f = *flights[flying[k]];
-                if (wide::step<true>(tree, f.r, f.best, counter)) {
+                if (wide::step<nearest_first>(tree, f.r, f.best, counter)) {
                     wide::fetch(tree, f.r.next);
                     ++k;
                 } else {
@@ -175,7 +176,10 @@ public:
     template <class Probe>
     [[nodiscard]] bool occluded(const ray& r, interval range, Probe& counter) const {
         wide::any_hit any;
-        walk<false>(r, range, counter, any);
+        if (wide::far_end_first(r) == wide::visiting::upper_first)
+            walk<wide::visiting::upper_first>(r, range, counter, any);
+        else
+            walk<wide::visiting::lower_first>(r, range, counter, any);
         return any.found;
     }
 
@@ -245,12 +249,12 @@ private:
         return finite && lanes_of(quad_integers(d != zero)) != 0 && !blocks_.empty() && !empty(range) && range.max > 0;
     }
 
-    template <bool near_first, class Probe, class Visitor>
+    template <wide::visiting order_of, class Probe, class Visitor>
     [[gnu::always_inline]] void walk(const ray& ray, interval range, Probe& counter, Visitor& visitor) const {
         if (!worthwhile(ray, range)) return;
         stack waiting;
         wide::traveller r(ray, range, reach_, root_, waiting.data());
-        while (wide::step<near_first>(blocks_.data()->bytes, r, visitor, counter)) {
+        while (wide::step<order_of>(blocks_.data()->bytes, r, visitor, counter)) {
         }
     }
 

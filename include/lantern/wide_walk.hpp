@@ -175,26 +175,38 @@ struct offering {
     far ^= exchange;
 }
 
-/// From a node on: goes to the child that is met first; the others wait. False where none is met.
-template <bool near_first>
+/// Which of the children that a ray meets it goes to first. Closest hits are found from the nearest on. For any hit the order is free,
+/// and need not be computed: children lie in the order in which they were cut apart, lower ones first, so that the ray's direction says at
+/// which end the far ones are. Those come first: near its origin, on a surface most often, a ray is in many boxes, and seldom meets what is in them.
+enum class visiting { nearest_first, upper_first, lower_first };
+
+[[nodiscard]] inline visiting far_end_first(const ray& r) {
+    return r.direction.x + r.direction.y + r.direction.z > 0 ? visiting::upper_first : visiting::lower_first;
+}
+
+/// From a node on: goes to a child that is met; the others wait. False where none is met.
+template <visiting order_of>
 [[gnu::always_inline]] inline bool enter(const std::byte* tree, const node& n, traveller& r) {
     floats entry;
     std::uint32_t met = overlaps(n.boxes, r.boxes, r.min, r.max, entry);
     if (met == 0) return false;
-    const std::uint32_t first = n.child[std::countr_zero(met)];
     std::uint32_t rest = met & (met - 1);
     if (rest == 0) {
-        r.next = first;
+        r.next = n.child[std::countr_zero(met)];
         return true;
     }
-    if constexpr (!near_first) {
-        r.next = first;
-        fetch(tree, first);
+    if constexpr (order_of != visiting::nearest_first) {
+        const auto take = [&]() __attribute__((always_inline)) {  // the last one is gone to
+            const int i = order_of == visiting::upper_first ? std::countr_zero(met) : 31 - std::countl_zero(met);
+            met = order_of == visiting::upper_first ? met & (met - 1) : met ^ 1u << i;
+            r.next = n.child[i];
+            fetch(tree, r.next);
+        };
+        take();
         do {
             *r.top++ = r.next;
-            r.next = n.child[std::countr_zero(rest)];
-            fetch(tree, r.next);
-        } while ((rest &= rest - 1) != 0);
+            take();
+        } while (met != 0);
         return true;
     }
     std::array<std::uint32_t, 8> distance;
@@ -230,11 +242,11 @@ template <bool near_first>
 }
 
 /// Looks at a node or a packet. False when there is nothing left to look at.
-template <bool near_first, class Probe, class Visitor>
+template <visiting order_of, class Probe, class Visitor>
 [[gnu::always_inline]] inline bool step(const std::byte* tree, traveller& r, Visitor& visitor, Probe& counter) {
     counter.node();
     if (std::uint32_t packets = r.next & 7; packets == 0) {
-        if (enter<near_first>(tree, *reinterpret_cast<const node*>(at(tree, r.next)), r)) return true;
+        if (enter<order_of>(tree, *reinterpret_cast<const node*>(at(tree, r.next)), r)) return true;
     } else {
         const auto* packet = reinterpret_cast<const triangle_packet*>(at(tree, r.next - packets));
         do {
@@ -247,7 +259,7 @@ template <bool near_first, class Probe, class Visitor>
     do {
         if (r.top == r.bottom) return false;
         r.next = static_cast<std::uint32_t>(*--r.top);
-    } while (near_first && static_cast<std::int32_t>(*r.top >> 32) > r.farthest);
+    } while (order_of == visiting::nearest_first && static_cast<std::int32_t>(*r.top >> 32) > r.farthest);
     return true;
 }
 
