@@ -25,12 +25,12 @@ namespace lantern {
 class box_ray {
 public:
     /// `reach`: the largest coordinate of the boxes that it will be tested against, and `rounded` by how much these may be off.
-    /// Where coordinates are 2^126 and more, all boxes are met.
+    /// Where differences of coordinates overflow, all boxes are met.
     [[gnu::always_inline]] box_ray(const ray& r, interval range, double reach, double rounded = 0) {
         const glm::vec3 away = glm::abs(r.origin), length = glm::abs(r.direction);
         const float longest = std::max(std::max(length.x, length.y), length.z);
         const float all = std::max(std::max(away.x, away.y), away.z) + static_cast<float>(reach);
-        if (range.min >= 0 && 0x1p-20f < longest && longest < 0x1p20f && all < 0x1p60f) [[likely]] {
+        if (range.min >= 0 && 0x1p-20f < longest) [[likely]] {
             const float beyond = static_cast<float>(rounded) + 0x1p-33f * all;
             for (int i = 0; i < 3; ++i) {
                 const float q = std::copysign(0x1p-21f * away[i] + beyond, r.direction[i]);

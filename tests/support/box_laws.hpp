@@ -132,6 +132,16 @@ void no_ray_is_lost(Meets meets) {
             check(box, {o, d.magnitude_between(-44, 37) * to}, {});
         }
     }
+    SECTION("the longest directions, whose reciprocals have lost bits, to edges and corners") {
+        for (int i = 0; i < count; ++i) {
+            const aabb box = random_box(d, 3);
+            glm::vec3 p;
+            for (int k = 0; k < 3; ++k) p[k] = d.below(3) == 0 ? d.between(box.min[k], box.max[k]) : d.below(2) == 0 ? box.min[k] : box.max[k];
+            const glm::vec3 o = d.below(2) == 0 ? glm::vec3(0) : d.in_cube(5), to = p - o;  // from there it is exact
+            const float longest = std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)});
+            if (longest > 0) check(box, {o, std::ldexp(1.0f, 127 - std::ilogb(longest)) * to}, {});
+        }
+    }
     CHECK(met > count / 40);
 }
 
