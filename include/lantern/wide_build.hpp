@@ -95,7 +95,7 @@ public:
     [[nodiscard]] branch& operator[](std::uint32_t i) { return branches_[i]; }
 
 private:
-    static constexpr std::uint32_t bins = 16;
+    static constexpr std::uint32_t bins = 32;
     static constexpr float step_cost = 1.2f;  // of entering a branch, in packets: measured
 
     // A range on each axis, in one register: where it begins, x, y, z and one to spare, and where it ends, negated. The smaller
@@ -254,7 +254,7 @@ private:
         }
     };
 
-    // All axes are tried, each with up to 16 bins (Wald 2007).
+    // All axes are tried, each with up to 32 bins (Wald 2007).
     static void try_cuts(std::span<const item> items, const binning& bin_of, std::uint32_t used, float unit, candidate& best) {
         const binned all(items, bin_of, used);
         std::array<quad, bins> above;
