@@ -15,11 +15,8 @@
 #include <lantern/validate.hpp>
 #include <lantern/wide_build.hpp>
 #include <lantern/wide_collapse.hpp>
-#include <lantern/wide_split.hpp>
+#include <lantern/wide_gather.hpp>
 #include <lantern/wide_walk.hpp>
-
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
@@ -56,27 +53,15 @@ public:
         const auto count = static_cast<std::size_t>(std::ranges::size(triangles));
         if (count >= std::size_t{1} << 27) refuse("wide_bvh: the number of triangles", std::to_string(count), "below 2^27");
         size_ = static_cast<std::uint32_t>(count);
-        wide::item_list items;
-        items.reserve(count);
-        wide::needles needles;
+        wide::helpers others(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()));
         const auto begin = std::ranges::begin(triangles);
-        const auto gather = [&] {
-            for (std::uint32_t i = 0; i < size_; ++i) {
-                const triangle t = begin[i];
-                if (!is_finite(t.a) || !is_finite(t.b) || !is_finite(t.c)) continue;
-                const aabb box = bounds(t);
-                items.push_back({box.min, i, box.max, 0});
-                needles.add(t, items.back());
-                const glm::vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
-                reach_ = std::max(reach_, std::max(std::max(far.x, far.y), far.z));
-            }
-            return needles.count(items);
-        };
-        const std::size_t thin = gather();
+        wide::gathered all(begin, size_, others);
+        wide::item_list& items = all.items;
+        reach_ = all.reach;
         if (!(reach_ < 0x1p60f)) refuse("wide_bvh: a coordinate", to_text(reach_), "less than 2^60");
         left_out_ = size_ - static_cast<std::uint32_t>(items.size());
         if (items.empty()) return;
-        wide::helpers others(options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()));
+        const std::size_t thin = all.thin.count(items);
         std::optional<binary_tree> tree;
         std::size_t blocks = 0;
         const auto plant = [&](bool by_length) {
@@ -88,14 +73,12 @@ public:
         if (thin > 0 && thin <= cuts) {
             const auto triangle_of = [&](std::uint32_t i) -> triangle { return begin[i]; };
             for (;;) {
-                needles.cut(items, triangle_of, cuts);
+                all.thin.cut(items, triangle_of, cuts);
                 plant(false);
                 if (blocks * sizeof(wide::block) <= most_bytes * count) break;
                 cuts /= 2;
                 tree.reset();
-                items.clear();
-                needles = {};
-                (void)gather();  // they have been cut, and put in another order
+                items = wide::gathered(begin, size_, others).items;  // they have been cut, and put in another order
                 if (thin > cuts) break;
             }
         }

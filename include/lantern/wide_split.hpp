@@ -64,6 +64,13 @@ public:
         ++count_;
     }
 
+    /// Adds all that was added to `later`, as if it came next.
+    void append(const needles& later) {
+        for (const std::uint32_t i : later.found_) found_.push_back(count_ + i);
+        area_ += later.area_;
+        count_ += later.count_;
+    }
+
     /// To be called when all are added: forgets those with small boxes. Returns how many are left, or 0 where they have less than a
     /// tenth of the surface of all boxes: then they do not matter.
     [[nodiscard]] std::size_t count(const item_list& items) {
