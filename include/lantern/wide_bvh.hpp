@@ -2,7 +2,6 @@
 #pragma once
 // The fast hierarchy, over triangles: eight boxes are tested at once, then four triangles; and it is never wrong.
 
-#include <lantern/aabb.hpp>
 #include <lantern/box_packet.hpp>
 #include <lantern/closest.hpp>
 #include <lantern/interval.hpp>
