@@ -190,23 +190,25 @@ template <visiting order_of>
     floats entry;
     std::uint32_t met = overlaps(n.boxes, r.boxes, r.min, r.max, entry);
     if (met == 0) return false;
+    const std::uint32_t first = n.child[std::countr_zero(met)];
     std::uint32_t rest = met & (met - 1);
     if (rest == 0) {
-        r.next = n.child[std::countr_zero(met)];
+        r.next = first;
         return true;
     }
     if constexpr (order_of != visiting::nearest_first) {
-        const auto take = [&]() __attribute__((always_inline)) {  // the last one is gone to
-            const int i = order_of == visiting::upper_first ? std::countr_zero(met) : 31 - std::countl_zero(met);
-            met = order_of == visiting::upper_first ? met & (met - 1) : met ^ 1u << i;
-            r.next = n.child[i];
-            fetch(tree, r.next);
-        };
-        take();
+        constexpr bool upper_last = order_of == visiting::upper_first;  // the last one is gone to
+        const auto high = [](std::uint32_t lanes) { return 31 - std::countl_zero(lanes); };
+        r.next = upper_last ? first : n.child[high(met)];
+        if (!upper_last) rest = met ^ 1u << high(met);
+        fetch(tree, r.next);
         do {
             *r.top++ = r.next;
-            take();
-        } while (met != 0);
+            const int i = upper_last ? std::countr_zero(rest) : high(rest);
+            r.next = n.child[i];
+            fetch(tree, r.next);
+            rest = upper_last ? rest & (rest - 1) : rest ^ 1u << i;
+        } while (rest != 0);
         return true;
     }
     std::array<std::uint32_t, 8> distance;
