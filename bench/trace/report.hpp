@@ -117,7 +117,7 @@ inline void print_table(const std::vector<row>& rows) {
 inline void print_csv(const std::vector<row>& rows) {
     std::printf("scene,triangles,structure,rays,mrays,wrong,traced,checked,nodes,offers,bytes_per_triangle,build_ms,threads\n");
     for (const row& r : rows)
-        std::printf("%s,%u,%s,%s,%.4f,%.0f,%llu,%llu,%.3f,%.3f,%.2f,%.3f,%u\n", r.scene.c_str(), r.triangles, r.structure.c_str(), r.rays.c_str(),
+        std::printf("%s,%u,%s,%s,%.6g,%.0f,%llu,%llu,%.3f,%.3f,%.2f,%.3f,%u\n", r.scene.c_str(), r.triangles, r.structure.c_str(), r.rays.c_str(),
                     r.mrays, r.wrong, static_cast<unsigned long long>(r.traced), static_cast<unsigned long long>(r.checked), r.nodes, r.offers,
                     r.bytes_per_triangle, r.build_ms, r.threads);
 }
@@ -130,7 +130,7 @@ inline void print_json(const std::vector<row>& rows, std::FILE* to = stdout) {
     begin("rows");
     for (const row& r : rows) {
         next();
-        std::fprintf(to, "{\"scene\":\"%s\",\"structure\":\"%s\",\"rays\":\"%s\",\"mrays\":%.4f,\"wrong\":%.0f,\"bytes_per_triangle\":%.2f,"
+        std::fprintf(to, "{\"scene\":\"%s\",\"structure\":\"%s\",\"rays\":\"%s\",\"mrays\":%.6g,\"wrong\":%.0f,\"bytes_per_triangle\":%.2f,"
                     "\"build_ms\":%.3f,\"threads\":%u,\"triangles\":%u,\"traced\":%llu,\"checked\":%llu,\"nodes\":%.3f,\"offers\":%.3f}",
                     r.scene.c_str(), r.structure.c_str(), r.rays.c_str(), r.mrays, r.wrong, r.bytes_per_triangle, r.build_ms, r.threads,
                     r.triangles, static_cast<unsigned long long>(r.traced), static_cast<unsigned long long>(r.checked), r.nodes, r.offers);
