@@ -57,6 +57,13 @@ TEST_CASE("center and surface area") {
     CHECK(std::isfinite(surface_area(aabb{glm::vec3(-1e30f), glm::vec3(1e30f)})));
 }
 
+TEST_CASE("the longest axis, the first of equal ones") {
+    CHECK(lantern::longest_axis({{0, 0, 0}, {1, 2, 1}}) == 1);
+    CHECK(lantern::longest_axis({{0, 0, 0}, {1, 2, 3}}) == 2);
+    CHECK(lantern::longest_axis({{0, 0, 0}, {2, 2, 2}}) == 0);
+    CHECK(lantern::longest_axis({{0, 0, 0}, {1, 2, 2}}) == 1);
+}
+
 TEST_CASE("what is grown or moved is rounded outwards, by less than two ulp") {
     dice d{2};
     for (int i = 0; i < count; ++i) {

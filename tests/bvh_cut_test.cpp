@@ -40,13 +40,6 @@ struct row {
 
 }  // namespace
 
-TEST_CASE("the longest axis, the first of equal ones") {
-    CHECK(lantern::longest_axis({{0, 0, 0}, {1, 2, 1}}) == 1);
-    CHECK(lantern::longest_axis({{0, 0, 0}, {1, 2, 3}}) == 2);
-    CHECK(lantern::longest_axis({{0, 0, 0}, {2, 2, 2}}) == 0);
-    CHECK(lantern::longest_axis({{0, 0, 0}, {1, 2, 2}}) == 1);
-}
-
 TEST_CASE("the middle looks at space, the median at numbers, the surface area at both") {
     row r{100, 2, 0, 4, 98, 96, 94, 3};  // four near 0, which is 0 to 4, four near 100
     const auto middle = r.all().cut_middle();

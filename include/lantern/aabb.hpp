@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
 
 namespace lantern {
@@ -54,6 +55,12 @@ template <bounded S>
 
 /// The middle; does not overflow.
 [[nodiscard]] inline glm::vec3 center(const aabb& box) { return 0.5f * box.min + 0.5f * box.max; }
+
+/// Along which the box is longest; of equal ones the first.
+[[nodiscard]] inline std::uint32_t longest_axis(const aabb& box) {
+    const glm::vec3 size = box.max - box.min;
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
 
 /// Of all six sides; 0 for an empty box. In double, for squares of floats overflow.
 [[nodiscard]] inline double surface_area(const aabb& box) {

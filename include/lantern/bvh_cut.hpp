@@ -4,11 +4,8 @@
 
 #include <lantern/aabb.hpp>
 
-#include <glm/vec3.hpp>
-
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -27,11 +24,6 @@ struct bvh_cut {
     std::uint32_t lower = 0;
     std::uint32_t axis = 0;
 };
-
-[[nodiscard]] inline std::uint32_t longest_axis(const aabb& box) {
-    const glm::vec3 size = box.max - box.min;
-    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
 
 /// Boxes, which of them are to be cut in two, and the box around these boxes' centers. A cut reorders the indices: those of the lower
 /// child come first.

@@ -26,8 +26,7 @@ struct halves {
 /// of the two boxes: where an edge meets the plane is computed in double, wrong by less than 2^-49 of its ends' coordinates, and
 /// moved outwards by that much before it is rounded outwards. Both are empty where nothing can be cut.
 [[nodiscard]] inline halves cut_in_two(const triangle& t, const aabb& box) {
-    const glm::vec3 size = box.max - box.min;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = static_cast<int>(longest_axis(box));
     const float plane = 0.5f * box.min[axis] + 0.5f * box.max[axis];
     if (!(box.min[axis] < plane && plane < box.max[axis])) return {};
     halves h;
