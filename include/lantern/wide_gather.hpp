@@ -3,13 +3,10 @@
 // What wide_bvh is built over: the triangles' boxes, read by several threads, and which of the triangles are needles.
 
 #include <lantern/aabb.hpp>
+#include <lantern/boxes_of.hpp>
 #include <lantern/triangle.hpp>
-#include <lantern/validate.hpp>
 #include <lantern/wide_build.hpp>
 #include <lantern/wide_split.hpp>
-
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,13 +40,12 @@ struct gathered {
             const auto first = static_cast<std::uint32_t>(from) * size, last = std::min(first + size, count);
             for (std::uint32_t i = first; i < last; ++i) {
                 const triangle t = begin[i];
-                if (!is_finite(t.a) || !is_finite(t.b) || !is_finite(t.c)) continue;
                 const aabb box = bounds(t);
+                if (empty(box)) continue;
                 item& next = items[first + s.kept++];
                 next = {box.min, i, box.max, 0};
                 s.thin.add(t, next);
-                const glm::vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
-                s.reach = std::max(s.reach, std::max(std::max(far.x, far.y), far.z));
+                s.reach = std::max(s.reach, static_cast<float>(reach_of(box)));
             }
             shares[from] = std::move(s);
         };
