@@ -70,6 +70,12 @@ namespace precise {
 /// largest of a vertex, and no vertex is larger than a and an edge.
 [[nodiscard]] inline double error_within(const glm::dvec3& a, double size1, double size2) { return 0x1p-50 * (size(a) + (size1 + size2)); }
 
+/// Whether above / speed is negative for certain, as neither is wrong by more than is said: the plane is behind the origin. Most often
+/// it is that of the very triangle that the ray has just left.
+[[nodiscard]] inline bool surely_behind(double above, double above_error, double speed, double speed_error) {
+    return std::abs(above) > above_error && std::abs(speed) > speed_error && (above < 0) != (speed < 0);
+}
+
 }  // namespace precise
 
 /// The general case of `intersect`, for where double is in doubt. Inside or outside is decided exactly, so neighbours decide
@@ -83,9 +89,7 @@ namespace precise {
     const auto [nearest, farthest] = std::minmax({za, zb, zc});
     const glm::dvec3 e1 = b - a, e2 = c - a, to = a - o, rough = glm::cross(e1, e2);
     const double above = glm::dot(rough, to), speed = glm::dot(rough, d), scale = 0x1p-45 * precise::size(e1) * precise::size(e2);
-    // Behind the origin for certain: most often the very triangle that the ray has just left.
-    const bool sure = std::abs(above) > scale * precise::size(to) && std::abs(speed) > scale * precise::size(d);
-    if (sure && (above < 0) != (speed < 0) && nearest <= 0 && range.min >= 0) return std::nullopt;
+    if (precise::surely_behind(above, scale * precise::size(to), speed, scale * precise::size(d)) && nearest <= 0 && range.min >= 0) return std::nullopt;
 
     const double u = triple_product(d, o, c, b), v = triple_product(d, o, a, c), w = triple_product(d, o, b, a);
     if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || u + v + w == 0) return std::nullopt;
@@ -138,9 +142,7 @@ template <class Make, class Doubt>
         return in_doubt();
     }
     if (!(std::abs(above) > scale * distance && std::abs(speed) > scale * r.longest)) {
-        // Behind the origin for certain: most often the very triangle that the ray has just left.
-        const bool sure = std::abs(above) > 0x1p-30 * scale * distance && std::abs(speed) > 0x1p-30 * scale * r.longest;
-        if (sure && (above < 0) != (speed < 0) && range.min >= 0) return std::nullopt;
+        if (surely_behind(above, 0x1p-30 * scale * distance, speed, 0x1p-30 * scale * r.longest) && range.min >= 0) return std::nullopt;
         return in_doubt();
     }
     const double t = above / speed;
