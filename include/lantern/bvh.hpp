@@ -54,8 +54,9 @@ public:
         adopt_boxes(layout);
     }
 
-    /// See the concept `accelerator`. Both children are looked at together; the nearer one comes first (the farther one, of an
-    /// offer that takes any order), and the other one waits. By the time its turn comes, a closer hit may have cut it off. Boxes are looked at by fours: see bvh_quartets.hpp.
+    /// See the concept `accelerator`. Both children are looked at together; the nearer one comes first (the farther one, if
+    /// the offer takes any order), and the other one waits. By the time its turn comes, a closer hit may have cut it off.
+    /// Boxes are looked at by fours: see bvh_quartets.hpp.
     template <std::derived_from<ray> Ray, class Offer, class Probe = no_probe>
         requires std::constructible_from<volume_ray<Volume>, const Ray&, interval, const Volume&>
     void traverse(const Ray& r, interval range, Offer&& offer, Probe&& counter = {}) const {

@@ -22,9 +22,9 @@ namespace lantern {
 
 struct bvh_options {
     split rule = split::surface_area;
-    std::uint32_t leaf_size = 4;   ///< at most so many surfaces in a leaf, unless the depth is used up; `surface_area` makes it smaller where that pays
-    std::uint32_t max_depth = 48;  ///< levels below the root, at most 64
-    std::uint32_t reinsertions = 4;  ///< rounds, for `surface_area`, in which what lies badly is put elsewhere, if that pays: see reinsertion.hpp; 0: none
+    std::uint32_t leaf_size = 4;     ///< at most so many surfaces in a leaf, unless the depth is used up; `surface_area` makes it smaller where that pays
+    std::uint32_t max_depth = 48;    ///< levels below the root, at most 64
+    std::uint32_t reinsertions = 4;  ///< rounds at most in which `surface_area` puts elsewhere what lies badly, as long as that pays: see reinsertion.hpp
 };
 
 template <class Volume>

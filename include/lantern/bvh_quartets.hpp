@@ -32,9 +32,9 @@ public:
         root_ = {nodes[0].volume, under(nodes, 0)};
     }
 
-    /// As in `bvh`; the nearest of the children comes first, and the others wait. (Of an offer that takes any order the farthest comes
-    /// first, and the others in no order.) `indices` may be left out (an empty span) where the
-    /// surfaces are in the order of the leaves: what is not read need not be fetched.
+    /// As in `bvh`; the nearest of the children comes first, and the others wait. (If the offer takes any order, the farthest comes
+    /// first, and the others in no order.) `indices` may be left out (an empty span) where the surfaces are in the order of the
+    /// leaves: what is not read need not be fetched.
     template <class Offer, class Probe>
     void traverse(const ray& r, interval range, std::span<const std::uint32_t> indices, Offer&& offer, Probe&& counter) const {
         box_quartet_ray way(r, range, reach_of(root_.box));

@@ -83,6 +83,8 @@ void traverse(const A& structure, const Ray& r, interval range, Offer&& offer, P
     }
 }
 
+// Offers are inlined always, and so is `every`: what they find then stays in registers.
+
 /// The first hit of the ray within the range. Of two surfaces at the same t the one with the smaller index is taken,
 /// so the answer does not depend on the structure, nor on the order in which it offers.
 template <class A, std::ranges::random_access_range Surfaces, std::derived_from<ray> Ray, class Probe = no_probe>

@@ -5,7 +5,6 @@
 #include <lantern/aabb.hpp>
 #include <lantern/agglomerate.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,7 +34,7 @@ public:
     /// Takes the cluster out and puts it in where that saves most, if it saves anything. Says how much.
     double reinsert(std::uint32_t i) {
         const std::uint32_t parent = parent_[i];
-        if (i == root_ || parent == 0 || parent == root_) return 0;  // 0 is no parent: the first cluster is a box
+        if (parent == 0 || parent == root_) return 0;  // 0 is no parent, as of the root: the first cluster is a box
         const double before = cost_;
         if (const std::uint32_t to = best_place(i); to != root_) move(i, to);
         return before - cost_;
