@@ -93,6 +93,7 @@ set(LANTERN_FLOOR_2
   wide_build
   wide_bvh
   wide_collapse
+  wide_cut
   wide_gather
   wide_split
   wide_walk

@@ -181,7 +181,7 @@ private:
     /// How many blocks a branch takes.
     static std::uint32_t measure(binary_tree& tree, std::uint32_t root) {
         std::uint32_t& sum = tree[root].blocks;
-        if (tree[root].cost.leaf) return sum = wide::packet_blocks * binary_tree::packets(tree[root].count);
+        if (tree[root].cost.leaf) return sum = wide::packet_blocks * wide::packets(tree[root].count);
         const wide::children slots(tree, root);
         sum = wide::node_blocks;
         for (std::size_t i = 0; i < slots.count; ++i) sum += measure(tree, slots.at[i]);
@@ -192,10 +192,10 @@ private:
     std::uint32_t lay_out(const binary_tree& tree, std::uint32_t root, std::uint32_t where, const auto& packet,
                           wide::helpers& others) {
         if (const auto& leaf = tree[root]; leaf.cost.leaf) {
-            constexpr std::uint32_t full = binary_tree::packet_size;
+            constexpr std::uint32_t full = wide::packet_size;
             for (std::uint32_t i = 0, at = where; i < leaf.count; i += full, at += wide::packet_blocks)
                 put(at, packet(leaf.first + i, std::min(leaf.count - i, full)));
-            return wide::word(where, binary_tree::packets(leaf.count));
+            return wide::word(where, wide::packets(leaf.count));
         }
         const wide::children slots(tree, root);
         wide::node n;
@@ -205,7 +205,7 @@ private:
                 const auto& b = tree[slots.at[i]];
                 if (b.cost.leaf == inner) continue;
                 n.boxes.set(i, b.box);
-                n.child[i] = wide::word(at, inner ? 0 : binary_tree::packets(b.count));
+                n.child[i] = wide::word(at, inner ? 0 : wide::packets(b.count));
                 at += b.blocks;
             }
         put(where, n);
